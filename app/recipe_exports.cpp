@@ -1,6 +1,7 @@
 #include "app/recipe_exports.h"
 
 #include "app/export_file.h"
+#include "core/message/message.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
 #include "io/formats/mesh_writer.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -73,8 +73,8 @@ void prepareFolders(const std::vector<RecipeExport>& exports, const std::string&
         std::error_code error;
         fs::create_directories(folder, error);
         if (!fs::is_directory(folder, error))
-            throw std::runtime_error("The output folder " + folder.string() +
-                                     " cannot be made; choose another one with --out.");
+            throw Problem(Message("Recipe", "The output folder %1 cannot be made; choose another one with --out.")
+                              .with(folder.string()));
     }
 }
 

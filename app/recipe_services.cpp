@@ -24,7 +24,7 @@ std::vector<Message> write(const std::string& path, const Project& project, cons
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));
-    writeWhole(path, recipe.text, "choose another place.");
+    writeWhole(path, recipe.text, Message("File", "%1: the file cannot be written; choose another place."));
     return std::move(recipe.remarks);
 }
 

@@ -2,14 +2,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 
 namespace knead {
 
 namespace fs = std::filesystem;
 
-void writeWhole(const std::string& path, const std::string& text, const std::string& remedy)
+void writeWhole(const std::string& path, const std::string& text, const Message& refused)
 {
     const std::string unfinished = path + ".part";
     std::ofstream file(unfinished);
@@ -20,7 +19,7 @@ void writeWhole(const std::string& path, const std::string& text, const std::str
         fs::rename(unfinished, path, error);
     if (!file || error) {
         fs::remove(unfinished, error);
-        throw std::runtime_error(path + ": the file cannot be written; " + remedy);
+        throw Problem(refused.with(path));
     }
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <string>
 
 namespace knead {
 
 /// Writes a text; the file appears whole or not at all.
-/// @param remedy what to do when it cannot be written, as the end of a sentence: "choose another place."
-/// @throws std::runtime_error, in a sentence
-void writeWhole(const std::string& path, const std::string& text, const std::string& remedy);
+/// @param refused says that it cannot be written and what to do; "%1" is its path
+/// @throws Problem
+void writeWhole(const std::string& path, const std::string& text, const Message& refused);
 
 } // namespace knead

@@ -79,8 +79,10 @@ int recipe(const RecipeOptions& options)
         return exit_status::wrongUse;
     }
     try {
-        options.output.empty() ? void(std::cout << text)
-                               : writeWhole(options.output, text, "choose another place with --output.");
+        options.output.empty()
+            ? void(std::cout << text)
+            : writeWhole(options.output, text,
+                         Message("File", "%1: the file cannot be written; choose another place with --output."));
     } catch (const std::exception& error) {
         std::cerr << "knead: " << error.what() << '\n';
         return exit_status::failed;

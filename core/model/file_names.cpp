@@ -38,4 +38,9 @@ std::string lowerCaseEnding(const std::string& path)
     return ending;
 }
 
+Message aboutFile(const std::string& path, const Message& sentence)
+{
+    return Message::verbatim("%1: %2").with(shortName(path), sentence);
+}
+
 } // namespace knead

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <string>
 
 namespace knead {
@@ -9,5 +11,8 @@ std::string shortName(const std::string& path);
 
 /// "step" for "/home/ann/bracket.STEP"; empty when there is none.
 std::string lowerCaseEnding(const std::string& path);
+
+/// "<short name>: <sentence>".
+Message aboutFile(const std::string& path, const Message& sentence);
 
 } // namespace knead

@@ -19,8 +19,8 @@ ProbeSeries::ProbeSeries(const Recipe& recipe, const RecipeScene& ready, TaskCon
     const FilledBodies all =
         contentOf(ready.model, {}, {.scene = ready.scene, .partOfBody = std::move(partOfBody)}, control).bodies;
     for (const RecipeProbe& probe : recipe.probes) {
-        const std::vector<BodyId> ids =
-            bodiesNamed(probe.body, ready.parts(), shortName(recipe.file) + ": the probe \"" + probe.name + "\"");
+        const std::vector<BodyId> ids = bodiesNamed(
+            probe.body, ready.parts(), aboutFile(recipe.file, Message("Recipe", "the probe \"%1\"").with(probe.name)));
         FilledBodies bodies;
         for (const BodyId id : ids)
             bodies.push_back(all[id]);

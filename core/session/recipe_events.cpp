@@ -1,5 +1,6 @@
 #include "core/session/recipe_events.h"
 
+#include "core/message/message.h"
 #include "core/simulation/moment.h"
 #include "core/skin/refilled.h"
 
@@ -24,10 +25,10 @@ struct CommandMaker {
     std::size_t event;
     std::vector<Command> made = {};
 
-    std::string place() const
+    Message place() const
     {
-        return std::filesystem::path(recipe.file).filename().string() + ": events[" +
-               std::to_string(recipe.events[event].item) + "]";
+        return Message::verbatim(std::filesystem::path(recipe.file).filename().string() + ": events[" +
+                                 std::to_string(recipe.events[event].item) + "]");
     }
 
     /// What could not be added has no number, and nothing happens to it.
@@ -78,7 +79,7 @@ struct CommandMaker {
                                        present(at.body, at.objects, change.objects)});
     }
     /// What was chosen in the first filling of a body, in the one that it has by now.
-    /// @throws std::runtime_error where numbers are those of another filling
+    /// @throws Problem where numbers are those of another filling
     std::vector<ObjectIndex> present(BodyId body, const std::vector<ObjectIndex>& objects,
                                      const std::optional<RecipeObjects>& numbers) const
     {
@@ -86,11 +87,15 @@ struct CommandMaker {
         if (!numbers || !numbers->isFilledAnew)
             return objectsInFilling(aggregate, objects);
         if (!aggregate.former || aggregate.size() != numbers->of)
-            throw std::runtime_error(place() + " names objects of a body that was filled anew with " +
-                                     std::to_string(numbers->of) + ", and here it " +
-                                     (aggregate.former ? "was filled anew with " : "is filled with the first ") +
-                                     std::to_string(aggregate.size()) +
-                                     ". Name a box instead, or keep the spacing and what is done before.");
+            throw Problem(
+                (aggregate.former
+                     ? Message("Recipe",
+                               "%1 names objects of a body that was filled anew with %2, and here it was filled anew "
+                               "with %3. Name a box instead, or keep the spacing and what is done before.")
+                     : Message("Recipe",
+                               "%1 names objects of a body that was filled anew with %2, and here it is filled with "
+                               "the first %3. Name a box instead, or keep the spacing and what is done before."))
+                    .with(place(), numbers->of, aggregate.size()));
         return objects;
     }
     void operator()(const RenormalizeBodies& wanted)

@@ -91,8 +91,8 @@ public:
         const auto parts = toolPartsOf(project(manipulator.partFile));
         const std::size_t number = manipulator.partNumber.value_or(0);
         if (number >= parts.size())
-            throw UnusableInput(shortName(manipulator.partFile) + " has no tool part " + std::to_string(number) +
-                                "; it has " + std::to_string(parts.size()) + " of them, counted from 0.");
+            throw UnusableInput(Message("Recipe", "%1 has no tool part %2; it has %3 of them, counted from 0.")
+                                    .with(shortName(manipulator.partFile), number, parts.size()));
         return parts[number];
     }
 
@@ -108,7 +108,7 @@ private:
     Model modelOf(const std::string& file)
     {
         if (project(file).model == nullptr)
-            throw UnusableInput(shortName(file) + ": the project has no parts.");
+            throw UnusableInput(aboutFile(file, Message("Recipe", "the project has no parts.")));
         return *project(file).model;
     }
 

@@ -16,10 +16,6 @@ namespace knead {
 /// A part that cannot be read, or a recipe that does not fit it: no such body, no such face, an empty fixture.
 struct UnusableInput : Problem {
     using Problem::Problem;
-    explicit UnusableInput(const std::string& sentence)
-        : Problem(Message::verbatim(sentence))
-    {
-    }
 };
 
 /// Everything that a recipe opens.

@@ -18,9 +18,9 @@ namespace {
 // Shares of the progress of making a scene.
 constexpr double importShare = 0.5;
 
-[[noreturn]] void refuse(const Recipe& recipe, const std::string& saying)
+[[noreturn]] void refuse(const Recipe& recipe, const Message& saying)
 {
-    throw UnusableInput(shortName(recipe.file) + ": " + saying);
+    throw UnusableInput(aboutFile(recipe.file, saying));
 }
 
 /// The filling knows no names; in an assembly they matter.
@@ -65,14 +65,16 @@ void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 void assignBodyMaterials(const Recipe& recipe, RecipeScene& result)
 {
     for (const auto& [name, material] : recipe.bodyMaterials)
-        for (const BodyId body : bodiesNamed(name, result.parts(), shortName(recipe.file) + ": body_materials"))
+        for (const BodyId body :
+             bodiesNamed(name, result.parts(), aboutFile(recipe.file, Message::verbatim("body_materials"))))
             result.scene.bodies[body].material = material;
 }
 
 void startBodies(const Recipe& recipe, RecipeScene& result)
 {
     for (const RecipeBody& start : recipe.bodies)
-        for (const BodyId id : bodiesNamed(start.name, result.parts(), shortName(recipe.file) + ": bodies")) {
+        for (const BodyId id :
+             bodiesNamed(start.name, result.parts(), aboutFile(recipe.file, Message::verbatim("bodies")))) {
             Body& body = result.scene.bodies[id];
             body.kind = start.kind;
             body.velocity = start.velocity;
@@ -82,22 +84,22 @@ void startBodies(const Recipe& recipe, RecipeScene& result)
 
 /// A region of a recipe, as sentences name it.
 struct NamedRegion {
-    std::string what; ///< "fixture", "region"
+    Message what; ///< with a place for its name: "the fixture \"%1\""
     const RecipeRegion& region;
 
-    std::string saying() const { return "the " + what + " \"" + region.name + "\""; }
+    Message saying() const { return what.with(region.name); }
 };
 
 std::vector<ObjectIndex> objectsAtFaces(const Recipe& recipe, const NamedRegion& named, const Part& part,
                                         const Aggregate& aggregate)
 {
-    const std::string quoted = "\"" + part.name + "\"";
     if (part.faces.empty())
-        refuse(recipe, named.saying() + " names faces, but " + quoted + " is a mesh without CAD faces; use box_mm.");
+        refuse(recipe, Message("Recipe", "%1 names faces, but \"%2\" is a mesh without CAD faces; use box_mm.")
+                           .with(named.saying(), part.name));
     for (const std::uint32_t face : named.region.faces)
         if (face >= part.faces.size())
-            refuse(recipe, named.saying() + " names the face " + std::to_string(face) + ", but " + quoted +
-                               " has faces 0 to " + std::to_string(part.faces.size() - 1) + ".");
+            refuse(recipe, Message("Recipe", "%1 names the face %2, but \"%3\" has faces 0 to %4.")
+                               .with(named.saying(), face, part.name, part.faces.size() - 1));
     return objectsAtFaces(aggregate, part.mesh, named.region.faces);
 }
 
@@ -105,23 +107,24 @@ std::vector<ObjectIndex> objectsAtFaces(const Recipe& recipe, const NamedRegion&
 std::vector<BodyObjects> objectsOf(const Recipe& recipe, const NamedRegion& named, const RecipeScene& ready)
 {
     const RecipeRegion& region = named.region;
-    const std::string place = shortName(recipe.file) + ": " + named.saying();
+    const Message place = aboutFile(recipe.file, named.saying());
     if (region.box || region.objects)
         return objectsWithin(ready, region.body, region.box, region.objects, place);
     const std::vector<BodyId> bodies = bodiesNamed(region.body, ready.parts(), place);
     if (bodies.size() > 1)
-        refuse(recipe, named.saying() + " names faces of one body among several; add the key body.");
+        refuse(recipe,
+               Message("Recipe", "%1 names faces of one body among several; add the key body.").with(named.saying()));
     const BodyId body = bodies.front();
     std::vector<ObjectIndex> objects =
         objectsAtFaces(recipe, named, ready.parts()[body], *ready.scene.bodies[body].aggregate);
     if (objects.empty())
-        refuse(recipe, named.saying() + " holds nothing: no object lies there.");
+        refuse(recipe, Message("Recipe", "%1 holds nothing: no object lies there.").with(named.saying()));
     return {{body, std::move(objects)}};
 }
 
 void addRegion(const Recipe& recipe, const RecipeMaterialRegion& region, RecipeScene& result)
 {
-    for (BodyObjects& at : objectsOf(recipe, {"region", region}, result)) {
+    for (BodyObjects& at : objectsOf(recipe, {Message("Recipe", "the region \"%1\""), region}, result)) {
         Body& body = result.scene.bodies[at.body];
         body.regions.push_back({region.name, std::move(at.objects), region.material.on(body.material)});
     }
@@ -175,7 +178,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
 
 } // namespace
 
-std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const std::string& place)
+std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const Message& place)
 {
     std::vector<BodyId> bodies;
     std::string known;
@@ -195,27 +198,28 @@ std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>
         if (name == '#' + std::to_string(body))
             return {body};
     if (bodies.empty())
-        throw UnusableInput(place + " names the body \"" + name + "\"; the part has: " + known + ".");
+        throw UnusableInput(Message("Recipe", "%1 names the body \"%2\"; the part has: %3.").with(place, name, known));
     return bodies;
 }
 
 namespace {
 
 /// Numbers of objects belong to one filling; in another they would be elsewhere.
-void requireFilling(const RecipeObjects& objects, std::size_t bodies, std::size_t count, const std::string& place)
+void requireFilling(const RecipeObjects& objects, std::size_t bodies, std::size_t count, const Message& place)
 {
     if (bodies != 1)
-        throw UnusableInput(place + " names objects of one body among several; add the key body.");
+        throw UnusableInput(
+            Message("Recipe", "%1 names objects of one body among several; add the key body.").with(place));
     if (!objects.isFilledAnew && objects.of != count)
-        throw UnusableInput(place + " names objects of a body that is filled with " + std::to_string(objects.of) +
-                            ", and here it is filled with " + std::to_string(count) +
-                            ". Name a box instead, or keep the spacing.");
+        throw UnusableInput(Message("Recipe", "%1 names objects of a body that is filled with %2, and here it is "
+                                              "filled with %3. Name a box instead, or keep the spacing.")
+                                .with(place, objects.of, count));
 }
 
 } // namespace
 
 std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
-                                       const std::optional<RecipeObjects>& objects, const std::string& place)
+                                       const std::optional<RecipeObjects>& objects, const Message& place)
 {
     const std::vector<BodyId> bodies = bodiesNamed(body, ready.parts(), place);
     const auto aggregateOf = [&](BodyId id) -> const Aggregate& { return *ready.scene.bodies[id].aggregate; };
@@ -232,29 +236,30 @@ std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::stri
             found.push_back({id, std::move(inside)});
     }
     if (found.empty())
-        throw UnusableInput(place + " holds nothing: no object lies there.");
+        throw UnusableInput(Message("Recipe", "%1 holds nothing: no object lies there.").with(place));
     return found;
 }
 
 std::vector<Fixture> fixturesOf(const Recipe& recipe, const RecipeFixture& fixture, const RecipeScene& ready)
 {
     std::vector<Fixture> fixtures;
-    for (BodyObjects& at : objectsOf(recipe, {"fixture", fixture}, ready))
+    for (BodyObjects& at : objectsOf(recipe, {Message("Recipe", "the fixture \"%1\""), fixture}, ready))
         fixtures.push_back({fixture.name, at.body, std::move(at.objects), fixture.velocity, fixture.turn});
     return fixtures;
 }
 
 Load loadOf(const Recipe& recipe, const RecipeLoad& load, const RecipeScene& ready)
 {
-    const std::string saying = "the load \"" + load.name + "\"";
-    const std::vector<BodyId> bodies = bodiesNamed(load.body, ready.parts(), shortName(recipe.file) + ": " + saying);
+    const Message saying = Message("Recipe", "the load \"%1\"").with(load.name);
+    const std::vector<BodyId> bodies = bodiesNamed(load.body, ready.parts(), aboutFile(recipe.file, saying));
     if (bodies.size() > 1)
-        refuse(recipe, saying + " is on one body among several; add the key body.");
+        refuse(recipe, Message("Recipe", "%1 is on one body among several; add the key body.").with(saying));
     const Part& part = ready.parts()[bodies.front()];
     const Aggregate& aggregate = *ready.scene.bodies[bodies.front()].aggregate;
     const RecipeRegion region{.name = load.name, .body = load.body, .faces = load.faces};
     if (!load.faces.empty())
-        objectsAtFaces(recipe, {"load", region}, part, aggregate); // refuses faces that are not there
+        objectsAtFaces(recipe, {Message("Recipe", "the load \"%1\""), region}, part,
+                       aggregate); // refuses faces that are not there
     Load result{.name = load.name,
                 .body = bodies.front(),
                 .faces = load.faces,
@@ -263,7 +268,7 @@ Load loadOf(const Recipe& recipe, const RecipeLoad& load, const RecipeScene& rea
                 .amount = load.amount,
                 .ramp = load.ramp};
     if (result.patch.empty())
-        refuse(recipe, saying + " acts on nothing: no surface lies there.");
+        refuse(recipe, Message("Recipe", "%1 acts on nothing: no surface lies there.").with(saying));
     return result;
 }
 

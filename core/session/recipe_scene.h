@@ -30,7 +30,7 @@ RecipeScene buildScene(const Recipe& recipe, const RecipeFiles& files, TaskContr
 /// Bodies that a name in a recipe means: those whose name or path in the assembly it is; else the one that is counted so from
 /// 0, "#2"; all for an empty name.
 /// @throws UnusableInput when there is none
-std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const std::string& place);
+std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const Message& place);
 
 /// Objects of a body.
 struct BodyObjects {
@@ -42,7 +42,7 @@ struct BodyObjects {
 /// one; whole bodies, without objects, when there is neither.
 /// @throws UnusableInput when there is no such body, nothing in the box, or another number of objects than those named belong to
 std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
-                                       const std::optional<RecipeObjects>& objects, const std::string& place);
+                                       const std::optional<RecipeObjects>& objects, const Message& place);
 
 /// The fixtures of the scene that a fixture of the recipe means: one for every body it holds.
 /// @throws UnusableInput

@@ -36,7 +36,7 @@ void addFaces(const RecipeFixture& fixture, const RecipeScene& scene, std::vecto
 {
     if (fixture.faces.empty())
         return;
-    for (const BodyId body : bodiesNamed(fixture.body, scene.parts(), fixture.name))
+    for (const BodyId body : bodiesNamed(fixture.body, scene.parts(), Message::verbatim(fixture.name)))
         fixtures.push_back({.key = static_cast<std::uint32_t>(fixtures.size() + 1),
                             .name = fixture.name,
                             .body = body,
@@ -71,9 +71,9 @@ RecipeStart recipeStart(Recipe wanted, const RecipeFiles& files, TaskControl& co
                       .script = {},
                       .warnings = scene.warnings};
     if (recipe.analysis == Analysis::equilibrium)
-        start.warnings.push_back(
-            Message("Recipe", "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it out "
-                              "as motion in time."));
+        start.warnings.push_back(Message(
+            "Recipe", "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it out "
+                      "as motion in time."));
     start.script = scriptOf(std::move(ready));
     return start;
 }

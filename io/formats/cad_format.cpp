@@ -222,11 +222,6 @@ FormatKind recognizeFormat(const std::string& path)
                 "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP."));
 }
 
-Message aboutFile(const std::string& path, const Message& sentence)
-{
-    return Message::verbatim("%1: %2").with(shortName(path), sentence);
-}
-
 void failReading(const std::string& path, const Message& sentence)
 {
     throw Problem(aboutFile(path, sentence));

@@ -18,9 +18,6 @@ std::string formatName(FormatKind kind);
 ///         archive, another kind of document, or no known format.
 FormatKind recognizeFormat(const std::string& path);
 
-/// "<short name>: <sentence>".
-Message aboutFile(const std::string& path, const Message& sentence);
-
 /// @throws Problem aboutFile().
 [[noreturn]] void failReading(const std::string& path, const Message& sentence);
 
