@@ -1,13 +1,10 @@
 #pragma once
 
+#include "core/model/file_formats.h"
+
 #include <string>
 
 namespace knead {
-
-enum class FormatKind { Step, Iges, Brep, Stl, Obj, Ply, ThreeMf, Gltf };
-
-/// "STEP", "IGES", ...
-std::string formatName(FormatKind kind);
 
 /// Tells what a file is by its content; the ending decides only where the content cannot (an OBJ that starts
 /// unusually).
@@ -17,9 +14,6 @@ FormatKind recognizeFormat(const std::string& path);
 
 /// "bracket.step" for "/home/ann/bracket.step": how sentences name a file. Shortened when absurdly long.
 std::string shortName(const std::string& path);
-
-/// "step" for "/home/ann/bracket.STEP"; empty when there is none.
-std::string lowerCaseEnding(const std::string& path);
 
 /// @throws std::runtime_error "<short name>: <sentence>".
 [[noreturn]] void failReading(const std::string& path, const std::string& sentence);

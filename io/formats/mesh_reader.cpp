@@ -5,7 +5,6 @@
 #include "io/document/part_selection.h"
 #include "io/document/readable_name.h"
 #include "io/document/size_limits.h"
-#include "io/files/lower_case.h"
 #include "io/formats/gltf/gltf_check.h"
 #include "io/formats/ply/ply_check.h"
 #include "io/mesh/mesh_colors.h"
@@ -81,7 +80,7 @@ private:
 std::string endingFor(const std::string& path, FormatKind kind)
 {
     if (kind != FormatKind::Gltf)
-        return lowerCase(formatName(kind));
+        return formatOf(kind).endings.front();
     std::ifstream file(path, std::ios::binary);
     return file.peek() == 'g' ? "glb" : "gltf";
 }
@@ -106,7 +105,7 @@ const aiScene* load(Assimp::Importer& importer, const std::string& path, FormatK
     importer.SetIOHandler(files); // which owns it
     const aiScene* scene = importer.ReadFile(files->shownPath(), 0);
     if (scene != nullptr && !hasAllVertices(*scene))
-        failReading(path, "the " + formatName(kind) +
+        failReading(path, "the " + formatOf(kind).name +
                               " file has triangles with corners that are not there; it is damaged, get it again.");
     return scene == nullptr ? nullptr : importer.ApplyPostProcessing(steps);
 }
@@ -247,7 +246,7 @@ public:
 
     Model run()
     {
-        m_model.format = formatName(m_kind);
+        m_model.format = formatOf(m_kind).name;
         if (m_kind == FormatKind::Gltf)
             m_model.unit = std::string("m");
         m_model.tree.name = partNameFor(m_path);
@@ -347,7 +346,7 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
     const aiScene* scene = load(importer, path, kind);
     control.throwIfCancelled();
     if (scene == nullptr || scene->mRootNode == nullptr)
-        failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
+        failReading(path, "the " + formatOf(kind).name + " file is damaged and cannot be read; export it again.");
     Model model = MeshModelMaker(*scene, path, kind, options).run();
     measureMeshes(path, options, model, control);
     return model;

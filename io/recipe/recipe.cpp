@@ -393,7 +393,7 @@ Material RecipeMaterial::on(const Material& base) const
 
 bool RecipeExport::isPicture() const
 {
-    return lowerCaseEnding(file) == "png";
+    return knead::isPicture(file);
 }
 
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,

@@ -1,6 +1,6 @@
 // Files that a recipe writes at the end.
+#include "core/model/file_formats.h"
 #include "core/model/length_units.h"
-#include "io/export/export_formats.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
 
@@ -93,15 +93,6 @@ void checkStaysInside(const JsonNode& node, const std::string& file)
         node.failExpecting("must be a path inside the output folder");
 }
 
-std::vector<std::string> knownEndings()
-{
-    std::vector<std::string> endings;
-    for (const FileFormat& format : allExportFormats())
-        endings.insert(endings.end(), format.endings.begin(), format.endings.end());
-    endings.emplace_back("png");
-    return endings;
-}
-
 } // namespace
 
 RecipeExport readRecipeExport(const JsonNode& node)
@@ -111,9 +102,8 @@ RecipeExport readRecipeExport(const JsonNode& node)
     wanted.file = file.text();
     checkStaysInside(file, wanted.file);
 
-    const std::vector<std::string> endings = knownEndings();
-    if (std::find(endings.begin(), endings.end(), lowerCaseEnding(wanted.file)) == endings.end())
-        file.failExpecting("must end in one of " + listed(endings, [](const std::string& e) { return "." + e; }));
+    if (!wanted.isPicture() && formatToWrite(wanted.file) == nullptr)
+        file.failExpecting("must end in one of " + formatEndings(", ") + ", .png");
     if (wanted.isPicture())
         readPictureKeys(node, wanted);
     else
