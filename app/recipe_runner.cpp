@@ -4,12 +4,12 @@
 #include "app/recipe_exports.h"
 #include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
-#include "app/whole_file.h"
 #include "core/simulation/simulation.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
 #include "io/document/number_words.h"
+#include "io/files/safe_file.h"
 
 #include <algorithm>
 #include <array>
@@ -312,7 +312,7 @@ void writeForces(const std::string& file, RunReport& report)
 {
     if (file.empty())
         return;
-    writeWhole(file, report.forces.csv(), "choose another file with --csv.");
+    writeFileSafely(file, report.forces.csv());
     report.forcesFile = file;
 }
 

@@ -3,8 +3,8 @@
 #include "app/recipe_progress.h"
 #include "app/recipe_script.h"
 #include "app/resources.h"
-#include "app/whole_file.h"
 #include "core/model/part_tree.h"
+#include "io/files/safe_file.h"
 #include "io/material_library.h"
 #include "io/recipe/recipe_of_project.h"
 
@@ -100,7 +100,7 @@ std::vector<std::string> write(const std::string& path, const Project& project, 
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));
-    writeWhole(path, recipe.text, "choose another place.");
+    writeFileSafely(path, recipe.text);
     return std::move(recipe.remarks);
 }
 
