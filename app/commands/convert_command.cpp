@@ -125,7 +125,9 @@ void addConvertCommand(CLI::App& program, int& exitStatus)
     command->add_option("--write-unit", options->write.unit, "Length unit of a CAD file written: mm, cm, m, inch or ft")
         ->type_name("UNIT");
     command->add_flag("--ap214", options->write.useAp214, "Write STEP in AP214 instead of AP242");
-    command->add_flag("--text", options->write.isText, "Write STL and PLY as text");
+    command->add_flag("--text", options->write.isText, "Write " + formatNames(" and ", [](const FileFormat& f) {
+                                                           return f.text == FileFormat::Text::asAsked;
+                                                       }) + " as text");
     command->add_flag("--report", options->report,
                       "Say what was found when the file was read back, also as JSON beside it");
     addImportArguments(*command, options->import);

@@ -8,6 +8,9 @@
 
 namespace knead {
 
+// What keeps its bits, or is read by people, is written as JSON here. Reports, and what processes tell each other, are values of
+// nlohmann::json.
+
 /// A text as JSON; what is no UTF-8 becomes what can be read.
 std::string quoted(const std::string& text);
 

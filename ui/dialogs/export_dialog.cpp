@@ -76,7 +76,7 @@ ExportDialog::ExportDialog(const QString& selected, bool hidden, QWidget* parent
 
     m_unit = makeChoice("exportUnit", this);
     m_unit->addItem(tr("As in the file that was opened"), QString());
-    for (const char* unit : {"mm", "cm", "m", "inch", "ft"})
+    for (const char* unit : exportUnits)
         m_unit->addItem(tr(unit), QString(unit));
     form->addRow(tr("Lengths"), m_unit);
 
