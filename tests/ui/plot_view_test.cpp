@@ -29,6 +29,17 @@ private slots:
             QVERIFY(std::abs(roundUp(least) / step - 1) < 1e-12);
     }
 
+    void labelsStandAtRoundNumbers()
+    {
+        const PlotAxis time = PlotAxis::between(0, 0.35, 5);
+        QCOMPARE(time.end, 0.35);
+        QCOMPARE(time.labels(), (std::vector<double>{0, 0.1, 0.2, 3 * 0.1}));
+        QCOMPARE(time.decimals(), 1);
+        const PlotAxis force = PlotAxis::around(-3.2, 7.9, 4);
+        QCOMPARE(force.labels(), (std::vector<double>{-5, 0, 5, 10}));
+        QCOMPARE(force.decimals(), 0);
+    }
+
     void whatIsUnknownInterruptsALine()
     {
         const QColor red("#ff0000");
