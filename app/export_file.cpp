@@ -3,9 +3,9 @@
 #include "app/cad_process.h"
 #include "core/geometry/mass_properties.h"
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
-#include "io/export/export_formats.h"
 #include "io/export/job_file.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
@@ -50,19 +50,6 @@ PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
     return report;
 }
 
-/// Whose lengths are metres whatever one wishes.
-bool isGltf(const std::string& path)
-{
-    const std::string ending = lowerCaseEnding(path);
-    return ending == "glb" || ending == "gltf";
-}
-
-/// Only VTP holds numbers at vertices.
-bool holdsFields(const std::string& path)
-{
-    return lowerCaseEnding(path) == "vtp";
-}
-
 std::vector<MeshField> toMeshFields(const SkinFields& fields)
 {
     MeshField displacement{"displacement [m]", 3, {}};
@@ -96,11 +83,12 @@ StrainedSurface strained(const PartToExport& part, TaskControl& control)
 
 ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
 {
+    const FileFormat* format = formatToWrite(path); // null: writeMeshes() says so
     const auto start = std::chrono::steady_clock::now();
     ExportReport report;
     report.file = path;
     report.format = "triangles";
-    report.unit = isGltf(path) ? "m" : job.options.unit.empty() ? "mm" : job.options.unit;
+    report.unit = format != nullptr && format->isInMetres ? "m" : job.options.unit.empty() ? "mm" : job.options.unit;
     std::vector<MeshBody> bodies;
     const auto count = static_cast<double>(job.parts.size());
     for (const PartToExport& part : job.parts) {
@@ -138,14 +126,22 @@ ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& con
 {
     if (job.parts.empty())
         failReading(path, Message("Export", "there is nothing to export."));
-    const bool isCad = cadFormatFor(path).has_value();
+    const FileFormat* format = formatToWrite(path);
+    const bool isCad = format != nullptr && format->isSmooth;
     for (PartToExport& part : job.parts)
-        if (!holdsFields(path))
+        if (format == nullptr || !format->holdsFields)
             part.relaxed.reset();
     TaskPortion tearing(control, 0, 0.1);
     const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing, isCad);
     TaskPortion writing(control, 0.1, 1);
     return isCad ? exportInChild(path, whole, writing) : exportMeshes(path, whole, writing);
+}
+
+std::string problemWithName(const std::string& path)
+{
+    if (isPicture(path) || formatToWrite(path) != nullptr)
+        return {};
+    return path + ": the ending is none of " + formatEndings(" and ") + ", nor .png; name the file after its format.";
 }
 
 std::string writeReportBeside(const ExportReport& report)

@@ -14,6 +14,9 @@ namespace knead {
 /// @throws std::runtime_error, in a sentence for the person. @throws Cancelled
 ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& control);
 
+/// What is wrong with the name of a file to write, a picture among them: a sentence, or nothing.
+std::string problemWithName(const std::string& path);
+
 /// The report beside a file: "part.step.report.json". @throws std::runtime_error, in a sentence
 std::string writeReportBeside(const ExportReport& report);
 

@@ -7,9 +7,7 @@
 #include "app/resources.h"
 #include "app/space_mouse.h"
 #include "app/thread_limit.h"
-#include "io/export/export_formats.h"
 #include "io/files/safe_file.h"
-#include "io/importer.h"
 #include "io/library_versions.h"
 #include "io/material_library.h"
 #include "io/project/packing.h"
@@ -18,18 +16,6 @@
 #include <memory>
 
 namespace knead {
-
-namespace {
-
-std::vector<Services::Format> formats(const std::vector<FileFormat>& source)
-{
-    std::vector<Services::Format> result;
-    for (const FileFormat& format : source)
-        result.push_back({format.name, format.endings, cadFormatFor("a." + format.endings.front()).has_value()});
-    return result;
-}
-
-} // namespace
 
 Services fileServices()
 {
@@ -56,8 +42,6 @@ Services fileServices()
         writeMaterials(ownMaterialsFile(), materials);
     };
     services.packing = zstandardPacking();
-    services.importFormats = formats(importFormats());
-    services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(materialsFile());
     for (const LibraryVersion& library : libraryVersions())
         services.libraries.push_back({library.name, library.version, library.license});

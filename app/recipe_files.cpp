@@ -2,7 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/recipe_exports.h"
-#include "app/whole_file.h"
+#include "io/files/safe_file.h"
 #include "io/project/project_file.h"
 
 namespace knead {
@@ -14,7 +14,7 @@ RecipeFiles recipeFiles()
             .readProject = [](const std::string& path, TaskControl& control) { return readProject(path, control); },
             .prepareFolders = prepareFolders,
             .writeExports = writeExports,
-            .writeTable = writeWhole};
+            .writeTable = writeFileSafely};
 }
 
 } // namespace knead

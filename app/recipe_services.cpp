@@ -2,8 +2,8 @@
 
 #include "app/recipe_files.h"
 #include "app/resources.h"
-#include "app/whole_file.h"
 #include "core/message/message.h"
+#include "io/files/safe_file.h"
 #include "io/material_library.h"
 #include "io/recipe/recipe_of_project.h"
 #include "io/recipe/recipe_reader.h"
@@ -24,7 +24,7 @@ std::vector<Message> write(const std::string& path, const Project& project, cons
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));
-    writeWhole(path, recipe.text, Message("File", "%1: the file cannot be written; choose another place."));
+    writeFileSafely(path, recipe.text);
     return std::move(recipe.remarks);
 }
 

@@ -12,10 +12,9 @@ find_package(zstd REQUIRED)
 find_package(SQLite3 3.37 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core DBus Gui LinguistTools Widgets OpenGL OpenGLWidgets Svg Test)
+# Qt has the mouse and writes all words: neither VTK's interaction nor its text is loaded.
 find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersSources
-    InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
-    IOImage IOOggTheora)
+    CommonCore CommonDataModel FiltersCore FiltersSources RenderingCore RenderingOpenGL2 IOOggTheora)
 if(VTK_VERSION VERSION_GREATER_EQUAL 9.4)
     message(WARNING "Knead is tried with VTK 9.1 to 9.3; this is ${VTK_VERSION}")
 endif()

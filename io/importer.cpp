@@ -36,20 +36,9 @@ void settleUnit(const std::string& path, const std::string& wanted, Model& model
 
 Model readAs(FormatKind kind, const std::string& path, const ImportOptions& options, TaskControl& control)
 {
-    switch (kind) {
-    case FormatKind::Step:
-    case FormatKind::Iges:
-    case FormatKind::Brep:
+    if (formatOf(kind).isSmooth)
         return readCad(path, kind, options, control);
-    case FormatKind::ThreeMf:
-        return readThreeMf(path, options, control);
-    case FormatKind::Stl:
-    case FormatKind::Obj:
-    case FormatKind::Ply:
-    case FormatKind::Gltf:
-        break;
-    }
-    return readMesh(path, kind, options, control);
+    return kind == FormatKind::ThreeMf ? readThreeMf(path, options, control) : readMesh(path, kind, options, control);
 }
 
 } // namespace
@@ -68,21 +57,6 @@ Model importFile(const std::string& path, const ImportOptions& options, TaskCont
     control.throwIfCancelled();
     control.report(1, "done");
     return model;
-}
-
-const std::vector<FileFormat>& importFormats()
-{
-    static const std::vector<FileFormat> formats{
-        {"STEP", {"step", "stp", "p21"}},
-        {"IGES", {"iges", "igs"}},
-        {"BREP", {"brep", "brp"}},
-        {"STL", {"stl"}},
-        {"OBJ", {"obj"}},
-        {"PLY", {"ply"}},
-        {"3MF", {"3mf"}},
-        {"glTF", {"glb", "gltf"}},
-    };
-    return formats;
 }
 
 } // namespace knead

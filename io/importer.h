@@ -5,7 +5,6 @@
 #include "core/task/task_control.h"
 
 #include <string>
-#include <vector>
 
 namespace knead {
 
@@ -17,12 +16,5 @@ namespace knead {
 /// @throws Cancelled
 Model importFile(const std::string& path, const ImportOptions& options = {},
                  TaskControl& control = TaskControl::none());
-
-/// A readable or writable format, for dialogs and help.
-struct FileFormat {
-    std::string name;                 ///< "STEP"
-    std::vector<std::string> endings; ///< "step", "stp"
-};
-const std::vector<FileFormat>& importFormats();
 
 } // namespace knead

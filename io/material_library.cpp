@@ -78,15 +78,15 @@ void writeMaterials(const std::string& path, const std::vector<MaterialPreset>& 
 {
     std::error_code error; // told by the writing
     fs::create_directories(fs::path(path).parent_path(), error);
-    std::string text = "{\n  \"version\": 1,\n  \"materials\": [";
+    std::vector<std::string> materials;
     for (const MaterialPreset& preset : presets) {
         ObjectText object;
         object.text("id", preset.id).text("name", preset.name).text("source", preset.source);
         for (const MaterialField& field : materialFields())
             object.number(field.key, preset.material.*field.value);
-        text += (&preset == presets.data() ? "\n    " : ",\n    ") + object.take();
+        materials.push_back(object.take());
     }
-    writeFileSafely(path, text + "\n  ]\n}\n");
+    writeFileSafely(path, PageText().put("version", "1").list("materials", materials).take());
 }
 
 } // namespace knead

@@ -166,7 +166,7 @@ FilePreview previewFile(const std::string& path, TaskControl& control)
     FilePreview preview;
     preview.file = path;
     preview.size = std::filesystem::file_size(path);
-    preview.format = formatName(kind);
+    preview.format = formatOf(kind).name;
     preview.tree.name = partNameFor(path);
     if (kind == FormatKind::Step || kind == FormatKind::Iges) {
         const OcctSession session;

@@ -41,13 +41,6 @@ struct Services {
 
     Packing packing; ///< of the moments in the history
 
-    struct Format {
-        std::string name;
-        std::vector<std::string> endings;
-        bool isSmooth = false; ///< holds trimmed faces, not triangles
-    };
-    std::vector<Format> importFormats;
-    std::vector<Format> exportFormats;
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
     /// Of files and of computing, for those who want to know what Knead is made with.

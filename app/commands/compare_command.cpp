@@ -1,4 +1,5 @@
 #include "app/commands/compare_command.h"
+#include "core/model/file_formats.h"
 
 #include "app/cad_process.h"
 #include "app/complaint.h"

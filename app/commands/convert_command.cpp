@@ -7,7 +7,7 @@
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
 #include "core/message/message.h"
-#include "io/export/export_formats.h"
+#include "core/model/file_formats.h"
 #include "io/formats/mesh_writer.h"
 #include "io/picture/picture_writer.h"
 
@@ -37,17 +37,6 @@ struct ConvertOptions {
     ExportOptions write;
     bool report = false;
 };
-
-bool isPicture(const std::string& path)
-{
-    return lowerCaseEnding(path) == "png";
-}
-
-/// Looked at first: nobody wants to wait for a file to be read before a typing mistake is told.
-bool canBeWritten(const std::string& path)
-{
-    return isPicture(path) || isExportPath(path);
-}
 
 void drawTo(const std::string& path, Model& model)
 {
@@ -96,10 +85,9 @@ std::optional<Model> read(const ConvertOptions& options, int& status)
 
 int convert(const ConvertOptions& options)
 {
-    if (!canBeWritten(options.output))
-        return complain(options.output + ": the ending is none of " + exportEndings() +
-                            ", nor .png; name the file after its format.",
-                        exit_status::wrongUse);
+    if (const std::string problem = problemWithName(options.output);
+        !problem.empty()) // before waiting for IN to be read
+        return complain(problem, exit_status::wrongUse);
     int status = exit_status::done;
     std::optional<Model> model = read(options, status);
     if (!model)
@@ -131,15 +119,17 @@ void addConvertCommand(CLI::App& program, int& exitStatus)
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command =
         program.add_subcommand("convert", "Write a CAD or mesh file in another format, or as a picture");
-    command->add_option("IN", options->input, "STEP, IGES, BREP, STL, OBJ, PLY, 3MF or glTF file")->required();
-    command->add_option("OUT", options->output, "File to write: " + exportEndings() + ", or .png")->required();
+    command->add_option("IN", options->input, formatNames(" or ") + " file")->required();
+    command->add_option("OUT", options->output, "File to write: " + formatEndings(" and ") + ", or .png")->required();
     command->add_option("--deflection", options->deflection, "Largest distance of the triangles from the surface in mm")
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
     command->add_option("--write-unit", options->write.unit, "Length unit of a CAD file written: mm, cm, m, inch or ft")
         ->type_name("UNIT");
     command->add_flag("--ap214", options->write.useAp214, "Write STEP in AP214 instead of AP242");
-    command->add_flag("--text", options->write.isText, "Write STL and PLY as text");
+    command->add_flag("--text", options->write.isText, "Write " + formatNames(" and ", [](const FileFormat& f) {
+                                                           return f.text == FileFormat::Text::asAsked;
+                                                       }) + " as text");
     command->add_flag("--report", options->report,
                       "Say what was found when the file was read back, also as JSON beside it");
     addImportArguments(*command, options->import);

@@ -6,6 +6,7 @@
 #include "app/terminal_control.h"
 #include "core/geometry/wall_thickness.h"
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -188,7 +189,7 @@ void addInfoCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a CAD or mesh file holds");
-    command->add_option("FILE", options->file, "STEP, IGES, BREP, STL, OBJ, PLY, 3MF or glTF file")->required();
+    command->add_option("FILE", options->file, formatNames(" or ") + " file")->required();
     command->add_flag("--json", options->json, "Print it as JSON");
     addImportArguments(*command, options->import);
     command->callback([options, &exitStatus] { exitStatus = info(*options); });

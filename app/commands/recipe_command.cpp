@@ -5,9 +5,9 @@
 #include "app/first_recipe.h"
 #include "app/resources.h"
 #include "app/terminal_control.h"
-#include "app/whole_file.h"
 #include "core/message/message.h"
 #include "core/session/part_filling.h"
+#include "io/files/safe_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
@@ -79,10 +79,7 @@ int recipe(const RecipeOptions& options)
         return exit_status::wrongUse;
     }
     try {
-        options.output.empty()
-            ? void(std::cout << text)
-            : writeWhole(options.output, text,
-                         Message("File", "%1: the file cannot be written; choose another place with --output."));
+        options.output.empty() ? void(std::cout << text) : writeFileSafely(options.output, text);
     } catch (const std::exception& error) {
         std::cerr << "knead: " << error.what() << '\n';
         return exit_status::failed;

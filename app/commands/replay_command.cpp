@@ -2,11 +2,12 @@
 
 #include "app/complaint.h"
 #include "app/exit_status.h"
+#include "app/export_file.h"
 #include "app/hexadecimal.h"
 #include "app/project_replay.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
-#include "io/export/export_formats.h"
+#include "core/model/file_formats.h"
 #include "io/export/job_file.h"
 #include "io/project/project_file.h"
 
@@ -180,8 +181,8 @@ std::string problemWith(const ReplayOptions& options)
     if (options.all && !options.exports.empty())
         return "--export writes one entry, and --all repeats them all; name one with --entry.";
     for (const std::string& file : options.exports)
-        if (!isExportPath(file) && lowerCaseEnding(file) != "png")
-            return file + ": the ending is none of " + exportEndings() + ", nor .png; name the file after its format.";
+        if (const std::string problem = problemWithName(file); !problem.empty())
+            return problem;
     return {};
 }
 
@@ -210,7 +211,8 @@ void addReplayCommand(CLI::App& program, int& exitStatus)
                       "Begin at the nearest state that is kept instead of repeating everything");
     command
         ->add_option("--export", options->exports,
-                     "Write the parts as they are there: " + exportEndings() + ", or .png. May be given several times")
+                     "Write the parts as they are there: " + formatEndings(" and ") +
+                         ", or .png. May be given several times")
         ->type_name("FILE")
         ->expected(1)
         ->allow_extra_args(false)

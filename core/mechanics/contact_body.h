@@ -8,11 +8,11 @@
 
 namespace knead {
 
-/// How a body takes part.
+/// How a body takes part. Moments keep the numbers.
 enum class BodyKind : std::uint8_t {
-    deformable,
-    rigid, ///< keeps its shape and moves with six degrees of freedom
-    glue,  ///< keeps its shape and place; its adhesion and friction hold for all that touches it
+    deformable = 0,
+    rigid = 1, ///< keeps its shape and moves with six degrees of freedom
+    glue = 2,  ///< keeps its shape and place; its adhesion and friction hold for all that touches it
 };
 
 /// A body as contacts see it. The owner keeps what it points at alive and in place.

@@ -32,6 +32,7 @@ struct GoTo { ///< goes there in a straight line, no faster than the speed limit
 struct FollowKeyFrames {          ///< linear between frames; before the first and after the last it stands still
     std::vector<KeyFrame> frames; ///< ascending times, at least one
 };
+/// Moments keep the place in this list: another one comes last.
 using Motion = std::variant<HoldStill, DriveAt, GoTo, FollowKeyFrames>;
 
 /// A rigid tool that pushes material.

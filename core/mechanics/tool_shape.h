@@ -10,14 +10,15 @@
 
 namespace knead {
 
-/// Forms of rigid tools. Each lies in its own frame, centered at the origin, in a box of edge lengths `size`.
+/// Forms of rigid tools. Each lies in its own frame, centered at the origin, in a box of edge lengths `size`. Moments keep
+/// the numbers.
 enum class ToolKind : std::uint8_t {
-    box,
-    ball,     ///< diameter size.x; size.y and size.z are the same
-    cylinder, ///< along its z; diameter size.x = size.y, length size.z
-    wedge,    ///< its edge runs along x at the low end of z; size.y is the thickness of its back
-    plate,    ///< a box that is thin along z
-    part,     ///< an imported part
+    box = 0,
+    ball = 1,     ///< diameter size.x; size.y and size.z are the same
+    cylinder = 2, ///< along its z; diameter size.x = size.y, length size.z
+    wedge = 3,    ///< its edge runs along x at the low end of z; size.y is the thickness of its back
+    plate = 4,    ///< a box that is thin along z
+    part = 5,     ///< an imported part
 };
 
 inline constexpr ToolKind toolKinds[] = {ToolKind::box,   ToolKind::ball,  ToolKind::cylinder,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace knead {
@@ -12,7 +14,12 @@ struct ExportOptions {
     bool isText = false;   ///< STL and PLY as text
 };
 
-/// Whether CAD files can be written in a length unit.
-bool canBeWrittenIn(const std::string& unit);
+/// Length units that CAD files can be written in.
+inline constexpr std::array exportUnits{"mm", "cm", "m", "inch", "ft"};
+
+inline bool canBeWrittenIn(const std::string& unit)
+{
+    return std::find(exportUnits.begin(), exportUnits.end(), unit) != exportUnits.end();
+}
 
 } // namespace knead

@@ -29,15 +29,6 @@ std::string shortName(const std::string& path)
     return name.substr(0, cut) + "..." + fs::path(name).extension().string();
 }
 
-std::string lowerCaseEnding(const std::string& path)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    if (!ending.empty())
-        ending.erase(0, 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
-
 Message aboutFile(const std::string& path, const Message& sentence)
 {
     return Message::verbatim("%1: %2").with(shortName(path), sentence);

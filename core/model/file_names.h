@@ -9,9 +9,6 @@ namespace knead {
 /// "bracket.step" for "/home/ann/bracket.step": how sentences name a file. Shortened when absurdly long.
 std::string shortName(const std::string& path);
 
-/// "step" for "/home/ann/bracket.STEP"; empty when there is none.
-std::string lowerCaseEnding(const std::string& path);
-
 /// "<short name>: <sentence>".
 Message aboutFile(const std::string& path, const Message& sentence);
 

@@ -1,6 +1,6 @@
 #include "core/session/recipe.h"
 
-#include "core/model/file_names.h"
+#include "core/model/file_formats.h"
 
 namespace knead {
 
@@ -14,7 +14,7 @@ Material RecipeMaterial::on(const Material& base) const
 
 bool RecipeExport::isPicture() const
 {
-    return lowerCaseEnding(file) == "png";
+    return knead::isPicture(file);
 }
 
 } // namespace knead

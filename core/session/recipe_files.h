@@ -33,8 +33,8 @@ struct RecipeFiles {
     std::function<WrittenExports(const std::vector<RecipeExport>&, const std::string& outputFolder, ExportJob,
                                  const Snapshot&, TaskControl&)>
         writeExports;
-    /// A table of text. @param problem what is said when it cannot be written; %1 is the file
-    std::function<void(const std::string& path, const std::string& text, const Message& problem)> writeTable;
+    /// A table of text; whole or not at all.
+    std::function<void(const std::string& path, const std::string& text)> writeTable;
 };
 
 } // namespace knead

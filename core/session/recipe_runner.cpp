@@ -318,11 +318,9 @@ private:
 void writeTables(const RecipeFiles& files, const RunTables& tables, RunReport& report)
 {
     if (!tables.forces.empty())
-        files.writeTable(tables.forces, report.forces.csv(),
-                         Message("File", "%1: the file cannot be written; choose another file with --csv."));
+        files.writeTable(tables.forces, report.forces.csv());
     if (!tables.probes.empty())
-        files.writeTable(tables.probes, report.probes.csv(),
-                         Message("File", "%1: the file cannot be written; choose another file with --probes."));
+        files.writeTable(tables.probes, report.probes.csv());
     report.forcesFile = tables.forces;
     report.probesFile = tables.probes;
 }

@@ -5,12 +5,13 @@
 namespace knead {
 
 /// What a frame of the implicit scheme may leave out, so that a scene keeps up with real time: accuracy goes first, then steps. Part of
-/// what is simulated, and so recorded: whoever repeats a run must change it at the same steps.
+/// what is simulated, and so recorded: whoever repeats a run must change it at the same steps. Moments
+/// keep the numbers.
 enum class Pace : std::uint8_t {
-    full,  ///< a step per frame of 1/60 s
-    rough, ///< the same, solved less well
-    wide,  ///< and a step per two frames
-    exact, ///< a step per frame, solved as well as makes sense: to compare with
+    full = 0,  ///< a step per frame of 1/60 s
+    rough = 1, ///< the same, solved less well
+    wide = 2,  ///< and a step per two frames
+    exact = 3, ///< a step per frame, solved as well as makes sense: to compare with
 };
 
 struct PaceNumbers {

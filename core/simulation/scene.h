@@ -35,12 +35,12 @@ struct Body {
     std::shared_ptr<const TriangleMesh> surface = nullptr;
 };
 
-/// How velocities and positions are advanced.
+/// How velocities and positions are advanced. Moments keep the numbers.
 enum class Integrator : std::uint8_t {
-    semiImplicitEuler, ///< keeps energy; needs no damping
-    forwardEuler,      ///< as published: gains energy unless damped
-    implicitEuler,     ///< a step per frame for any stiffness; damps out what swings faster than that
-    automatic,         ///< semi-implicit where that is predicted to keep up with real time, implicit where not
+    semiImplicitEuler = 0, ///< keeps energy; needs no damping
+    forwardEuler = 1,      ///< as published: gains energy unless damped
+    implicitEuler = 2,     ///< a step per frame for any stiffness; damps out what swings faster than that
+    automatic = 3,         ///< semi-implicit where that is predicted to keep up with real time, implicit where not
 };
 
 /// How a grip turns: about an axis through a point, until an angle is reached. The objects go along circles to the last bits of

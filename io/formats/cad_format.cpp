@@ -72,6 +72,11 @@ bool isText(std::string_view head)
     return std::none_of(head.begin(), head.end(), [](unsigned char c) { return c < 0x20 && std::isspace(c) == 0; });
 }
 
+bool isTextRead(const FileFormat& format)
+{
+    return format.isRead && format.text != FileFormat::Text::never;
+}
+
 /// An OBJ file is lines that start with known words; at least one of them a vertex or an object.
 bool looksLikeObj(std::string_view head)
 {
@@ -92,13 +97,6 @@ bool looksLikeObj(std::string_view head)
         found = found || word == "v" || word == "o" || word == "mtllib";
     }
     return found;
-}
-
-bool endsIn(const std::string& path, std::string_view ending)
-{
-    std::string own = fs::path(path).extension().string();
-    std::transform(own.begin(), own.end(), own.begin(), [](unsigned char c) { return std::tolower(c); });
-    return own == ending;
 }
 
 std::string readHead(const std::string& path)
@@ -152,29 +150,6 @@ std::uintmax_t checkedSize(const std::string& path)
 
 } // namespace
 
-std::string formatName(FormatKind kind)
-{
-    switch (kind) {
-    case FormatKind::Step:
-        return "STEP";
-    case FormatKind::Iges:
-        return "IGES";
-    case FormatKind::Brep:
-        return "BREP";
-    case FormatKind::Stl:
-        return "STL";
-    case FormatKind::Obj:
-        return "OBJ";
-    case FormatKind::Ply:
-        return "PLY";
-    case FormatKind::ThreeMf:
-        return "3MF";
-    case FormatKind::Gltf:
-        return "glTF";
-    }
-    return {};
-}
-
 FormatKind recognizeFormat(const std::string& path)
 {
     const std::uintmax_t size = checkedSize(path);
@@ -209,17 +184,12 @@ FormatKind recognizeFormat(const std::string& path)
                         "this is a JSON text, but no glTF (\"asset\" is missing in it); export the part as STEP."));
         return FormatKind::Gltf;
     }
-    if (looksLikeObj(head) || (endsIn(path, ".obj") && isText(head)))
+    if (looksLikeObj(head) || (isNamedAs(FormatKind::Obj, path) && isText(head)))
         return FormatKind::Obj;
     if (isText(head))
-        failReading(
-            path,
-            Message("Import",
-                    "this is a text, but none of STEP, IGES, BREP, STL, OBJ, PLY and glTF; export the part as STEP."));
-    failReading(
-        path,
-        Message("Import",
-                "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP."));
+        failReading(path, Message("Import", "this is a text, but none of %1; export the part as STEP.")
+                              .with(formatNames(", ", isTextRead)));
+    failReading(path, Message("Import", "the content is none of %1; export the part as STEP.").with(formatNames(", ")));
 }
 
 void failReading(const std::string& path, const Message& sentence)

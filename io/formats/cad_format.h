@@ -1,16 +1,12 @@
 #pragma once
 
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 #include "core/model/file_names.h"
 
 #include <string>
 
 namespace knead {
-
-enum class FormatKind { Step, Iges, Brep, Stl, Obj, Ply, ThreeMf, Gltf };
-
-/// "STEP", "IGES", ...
-std::string formatName(FormatKind kind);
 
 /// Tells what a file is by its content; the ending decides only where the content cannot (an OBJ that starts
 /// unusually).

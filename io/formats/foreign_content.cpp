@@ -1,5 +1,6 @@
 #include "io/formats/foreign_content.h"
 
+#include "core/model/file_formats.h"
 #include "core/model/readable_name.h"
 #include "io/files/lower_case.h"
 #include "io/formats/threemf/zip_names.h"
@@ -81,12 +82,6 @@ bool anyStartsWith(const std::vector<std::string>& names, std::string_view start
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(start); });
 }
 
-bool endsInStep(const std::string& name)
-{
-    const std::string lower = lowerCase(name);
-    return lower.ends_with(".stp") || lower.ends_with(".step") || lower.ends_with(".p21");
-}
-
 } // namespace
 
 std::optional<Message> foreignContent(std::string_view head)
@@ -118,7 +113,7 @@ ZipContent zipContent(const std::string& path)
     for (const Kind& kind : kinds)
         if (anyStartsWith(*names, kind.start))
             return {false, kind.sentence};
-    if (names->size() == 1 && endsInStep(names->front()))
+    if (names->size() == 1 && isNamedAs(FormatKind::Step, names->front()))
         return {
             false,
             Message("Import",

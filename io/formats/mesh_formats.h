@@ -3,8 +3,10 @@
 #include "core/task/task_control.h"
 #include "io/mesh/mesh_body.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace knead {
@@ -30,5 +32,15 @@ void writeGltf(const MeshFile& file);
 void writeGlb(const MeshFile& file);
 void writeThreeMf(const MeshFile& file);
 void writeVtp(const MeshFile& file);
+
+/// What writes files of an ending; one for each ending of FileFormat that holds triangles.
+struct MeshWriter {
+    std::string_view ending;
+    void (*write)(const MeshFile&);
+};
+inline constexpr std::array meshWriters{MeshWriter{"stl", writeStl},   MeshWriter{"obj", writeObj},
+                                        MeshWriter{"ply", writePly},   MeshWriter{"glb", writeGlb},
+                                        MeshWriter{"gltf", writeGltf}, MeshWriter{"3mf", writeThreeMf},
+                                        MeshWriter{"vtp", writeVtp}};
 
 } // namespace knead

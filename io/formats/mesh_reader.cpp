@@ -6,7 +6,6 @@
 #include "io/brep/millimeter.h"
 #include "io/document/part_selection.h"
 #include "io/document/size_limits.h"
-#include "io/files/lower_case.h"
 #include "io/formats/gltf/gltf_check.h"
 #include "io/formats/ply/ply_check.h"
 #include "io/mesh/mesh_colors.h"
@@ -82,7 +81,7 @@ private:
 std::string endingFor(const std::string& path, FormatKind kind)
 {
     if (kind != FormatKind::Gltf)
-        return lowerCase(formatName(kind));
+        return formatOf(kind).endings.front();
     std::ifstream file(path, std::ios::binary);
     return file.peek() == 'g' ? "glb" : "gltf";
 }
@@ -110,7 +109,7 @@ const aiScene* load(Assimp::Importer& importer, const std::string& path, FormatK
         failReading(
             path,
             Message("Import", "the %1 file has triangles with corners that are not there; it is damaged, get it again.")
-                .with(formatName(kind)));
+                .with(formatOf(kind).name));
     return scene == nullptr ? nullptr : importer.ApplyPostProcessing(steps);
 }
 
@@ -250,7 +249,7 @@ public:
 
     Model run()
     {
-        m_model.format = formatName(m_kind);
+        m_model.format = formatOf(m_kind).name;
         if (m_kind == FormatKind::Gltf)
             m_model.unit = std::string("m");
         m_model.tree.name = partNameFor(m_path);
@@ -352,7 +351,7 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
     if (scene == nullptr || scene->mRootNode == nullptr)
         failReading(
             path,
-            Message("Import", "the %1 file is damaged and cannot be read; export it again.").with(formatName(kind)));
+            Message("Import", "the %1 file is damaged and cannot be read; export it again.").with(formatOf(kind).name));
     Model model = MeshModelMaker(*scene, path, kind, options).run();
     measureMeshes(path, options, model, control);
     return model;

@@ -1,44 +1,30 @@
 #include "io/formats/mesh_writer.h"
 
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 #include "core/model/length_units.h"
 #include "core/model/readable_name.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/mesh_formats.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 
 namespace knead {
 
 namespace {
 
-struct MeshFormat {
-    std::string_view ending;
-    void (*write)(const MeshFile&);
-};
-constexpr std::array writers{MeshFormat{".stl", writeStl},   MeshFormat{".obj", writeObj},
-                             MeshFormat{".ply", writePly},   MeshFormat{".glb", writeGlb},
-                             MeshFormat{".gltf", writeGltf}, MeshFormat{".3mf", writeThreeMf},
-                             MeshFormat{".vtp", writeVtp}};
-
-const MeshFormat& formatFor(const std::string& path)
+const MeshWriter& writerFor(const std::string& path)
 {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto* const format =
-        std::find_if(writers.begin(), writers.end(), [&](const MeshFormat& one) { return one.ending == ending; });
-    if (format == writers.end())
-        failReading(
-            path,
-            Message(
-                "Export",
-                "the ending is none of .stl, .obj, .ply, .glb, .gltf, .3mf and .vtp; name the file after its format."));
-    return *format;
+    const auto* const writer = std::find_if(meshWriters.begin(), meshWriters.end(),
+                                            [&](const MeshWriter& one) { return one.ending == lowerCaseEnding(path); });
+    if (writer == meshWriters.end())
+        failReading(path, Message("Export", "the ending is none of %1; name the file after its format.")
+                              .with(formatEndings(", ", [](const FileFormat& format) { return !format.isSmooth; })));
+    return *writer;
 }
 
 const LengthUnit& unitOf(const std::string& path, const ExportOptions& options)
@@ -93,17 +79,10 @@ MeshFile fileFor(const std::string& path, const std::vector<MeshBody>& bodies, c
 void writeMeshes(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options,
                  TaskControl& control)
 {
-    const MeshFormat& format = formatFor(path);
+    const MeshWriter& writer = writerFor(path);
     control.throwIfCancelled();
-    format.write(fileFor(path, bodies, options, control));
+    writer.write(fileFor(path, bodies, options, control));
     control.report(1, "writing the file");
-}
-
-const std::vector<FileFormat>& exportFormats()
-{
-    static const std::vector<FileFormat> formats{{"STL", {"stl"}},          {"OBJ", {"obj"}}, {"PLY", {"ply"}},
-                                                 {"glTF", {"glb", "gltf"}}, {"3MF", {"3mf"}}, {"VTP", {"vtp"}}};
-    return formats;
 }
 
 } // namespace knead

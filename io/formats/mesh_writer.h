@@ -2,7 +2,6 @@
 
 #include "core/model/export_options.h"
 #include "core/task/task_control.h"
-#include "io/importer.h"
 #include "io/mesh/mesh_body.h"
 
 #include <string>
@@ -28,7 +27,5 @@ namespace knead {
 /// @throws Cancelled
 void writeMeshes(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options = {},
                  TaskControl& control = TaskControl::none());
-
-const std::vector<FileFormat>& exportFormats();
 
 } // namespace knead

@@ -4,23 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <initializer_list>
+#include <array>
 #include <limits>
 
 namespace knead {
-
-namespace {
-
-template <class Text>
-std::string listText(std::initializer_list<double> numbers, Text textOf)
-{
-    std::string text;
-    for (const double number : numbers)
-        text += (text.empty() ? "" : ", ") + textOf(number);
-    return '[' + text + ']';
-}
-
-} // namespace
 
 std::string quoted(const std::string& text)
 {
@@ -57,12 +44,12 @@ ObjectText& ObjectText::number(const std::string& key, double value)
 
 ObjectText& ObjectText::numbers(const std::string& key, const Vec3& value)
 {
-    return put(key, listText({value.x(), value.y(), value.z()}, exactText));
+    return put(key, listText(std::array{value.x(), value.y(), value.z()}, exactText));
 }
 
 ObjectText& ObjectText::numbers(const std::string& key, const Quaternion& value)
 {
-    return put(key, listText({value.w(), value.x(), value.y(), value.z()}, exactText));
+    return put(key, listText(std::array{value.w(), value.x(), value.y(), value.z()}, exactText));
 }
 
 ObjectText& ObjectText::millimeters(const std::string& key, double meters)
@@ -72,14 +59,29 @@ ObjectText& ObjectText::millimeters(const std::string& key, double meters)
 
 ObjectText& ObjectText::millimeters(const std::string& key, const Vec3& meters)
 {
-    return put(key, listText({meters.x(), meters.y(), meters.z()}, exactThousandfold));
+    return put(key, listText(std::array{meters.x(), meters.y(), meters.z()}, exactThousandfold));
 }
 
 ObjectText& ObjectText::millimeters(const std::string& key, const Box& meters)
 {
     const Vec3& low = meters.min();
     const Vec3& high = meters.max();
-    return put(key, listText({low.x(), low.y(), low.z(), high.x(), high.y(), high.z()}, exactThousandfold));
+    return put(key, listText(std::array{low.x(), low.y(), low.z(), high.x(), high.y(), high.z()}, exactThousandfold));
+}
+
+PageText& PageText::put(const std::string& key, const std::string& json)
+{
+    m_text += m_text.empty() ? "  \"" : ",\n  \"";
+    m_text += key + "\": " + json;
+    return *this;
+}
+
+PageText& PageText::list(const std::string& key, const std::vector<std::string>& items)
+{
+    std::string text = "[";
+    for (const std::string& item : items)
+        text += (&item == items.data() ? "\n    " : ",\n    ") + item;
+    return put(key, text + "\n  ]");
 }
 
 } // namespace knead

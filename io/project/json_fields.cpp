@@ -3,7 +3,6 @@
 #include "core/message/message.h"
 #include "io/json/exact_number.h"
 #include "io/json/json_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,14 +20,6 @@ double numberIn(const JsonNode& node)
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return readChoice<double>(
         node, {{"infinity", infinity}, {"-infinity", -infinity}, {"nan", std::numeric_limits<double>::quiet_NaN()}});
-}
-
-std::string listText(std::initializer_list<double> numbers)
-{
-    std::string text;
-    for (const double number : numbers)
-        text += (text.empty() ? "[" : ", ") + exactText(number);
-    return text + "]";
 }
 
 template <std::size_t count>
@@ -59,58 +50,6 @@ std::uint32_t ToolPartTable::numberOf(const std::shared_ptr<const ToolPart>& par
 }
 
 // --- writing ----------------------------------------------------------------------------------------------------------
-
-void FieldWriter::put(const char* key, const std::string& json)
-{
-    m_text += m_text.empty() ? "{\"" : ", \"";
-    m_text += key;
-    m_text += "\": ";
-    m_text += json;
-}
-
-std::string FieldWriter::take()
-{
-    return m_text.empty() ? "{}" : std::exchange(m_text, {}) + "}";
-}
-
-void FieldWriter::operator()(const char* key, double value)
-{
-    put(key, exactText(value));
-}
-
-void FieldWriter::operator()(const char* key, const std::string& value)
-{
-    put(key, quoted(value));
-}
-
-void FieldWriter::operator()(const char* key, const std::vector<std::string>& value)
-{
-    std::string text;
-    for (const std::string& item : value)
-        text += (text.empty() ? "" : ", ") + quoted(item);
-    put(key, "[" + text + "]");
-}
-
-void FieldWriter::operator()(const char* key, const std::optional<double>& value)
-{
-    if (value)
-        put(key, exactText(*value));
-}
-
-void FieldWriter::operator()(const char* key, const Vec3& value)
-{
-    put(key, listText({value.x(), value.y(), value.z()}));
-}
-
-void FieldWriter::operator()(const char* key, const Quaternion& value)
-{
-    put(key, listText({value.w(), value.x(), value.y(), value.z()}));
-}
-
-void FieldWriter::operator()(const char* key, const std::vector<std::uint32_t>& value)
-{
-    put(key, stretchesText(value));
-}
 
 void FieldWriter::operator()(const char* key, const std::shared_ptr<const ToolPart>& value)
 {

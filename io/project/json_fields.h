@@ -4,6 +4,7 @@
 #include "core/mechanics/tool_shape.h"
 #include "core/message/message.h"
 #include "io/json/json_reader.h"
+#include "io/json/json_text.h"
 #include "io/recipe/recipe_values.h"
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -54,7 +56,7 @@ public:
     {
     }
 
-    void operator()(const char* key, bool value) { put(key, value ? "true" : "false"); }
+    void operator()(const char* key, bool value) { m_object.put(key, value ? "true" : "false"); }
     void flag(const char* key, bool value, bool /*missing*/) { (*this)(key, value); }
     /// Left out where it is not set.
     void flagIfSet(const char* key, bool value)
@@ -69,16 +71,26 @@ public:
         if (value != 0)
             (*this)(key, value);
     }
-    void operator()(const char* key, double value);
-    void operator()(const char* key, std::uint32_t value) { put(key, std::to_string(value)); }
-    void operator()(const char* key, std::uint64_t value) { put(key, std::to_string(value)); }
-    void operator()(const char* key, const std::string& value);
-    void operator()(const char* key, const std::vector<std::string>& value);
-    void operator()(const char* key, const std::optional<double>& value); ///< left out without a value
-    void operator()(const char* key, const Vec3& value);
-    void operator()(const char* key, const Quaternion& value); ///< w, x, y, z
-    /// Stretches of ascending numbers as pairs of their first and last: [3, [7, 420]].
-    void operator()(const char* key, const std::vector<std::uint32_t>& value);
+    void operator()(const char* key, double value) { m_object.number(key, value); }
+    void operator()(const char* key, std::uint32_t value) { m_object.put(key, std::to_string(value)); }
+    void operator()(const char* key, std::uint64_t value) { m_object.put(key, std::to_string(value)); }
+    void operator()(const char* key, const std::string& value) { m_object.text(key, value); }
+    void operator()(const char* key, const std::vector<std::string>& value)
+    {
+        m_object.put(key, listText(value, quoted));
+    }
+    /// Left out without a value.
+    void operator()(const char* key, const std::optional<double>& value)
+    {
+        if (value)
+            (*this)(key, *value);
+    }
+    void operator()(const char* key, const Vec3& value) { m_object.numbers(key, value); }
+    void operator()(const char* key, const Quaternion& value) { m_object.numbers(key, value); }
+    void operator()(const char* key, const std::vector<std::uint32_t>& value)
+    {
+        m_object.put(key, stretchesText(value));
+    }
     /// By its number; left out without a part.
     void operator()(const char* key, const std::shared_ptr<const ToolPart>& value);
 
@@ -93,7 +105,7 @@ public:
     template <class Value>
     void object(const char* key, const Value& value)
     {
-        put(key, objectText(value));
+        m_object.put(key, objectText(value));
     }
 
     /// Left out without a value.
@@ -107,10 +119,7 @@ public:
     template <class Value>
     void list(const char* key, const std::vector<Value>& values)
     {
-        std::string text;
-        for (const Value& value : values)
-            text += (text.empty() ? "" : ", ") + objectText(value);
-        put(key, "[" + text + "]");
+        m_object.put(key, listText(values, [this](const Value& value) { return objectText(value); }));
     }
 
     /// Left out when empty.
@@ -122,7 +131,7 @@ public:
     }
 
     /// The object; the writer is empty again.
-    std::string take();
+    std::string take() { return std::exchange(m_object, {}).take(); }
 
 private:
     template <class Value>
@@ -132,10 +141,9 @@ private:
         describe(fields, value);
         return fields.take();
     }
-    void put(const char* key, const std::string& json);
 
     ToolPartTable& m_tools;
-    std::string m_text;
+    ObjectText m_object;
 };
 
 /// Reads fields from a JSON object; failures are Problems and name the field.

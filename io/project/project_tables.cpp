@@ -191,10 +191,8 @@ void ProjectTables::setCurrent(std::uint32_t entry)
 
 void ProjectTables::setView(const ProjectView& view)
 {
-    std::string hidden;
-    for (const std::size_t part : view.hiddenParts)
-        hidden += (hidden.empty() ? "" : ", ") + std::to_string(part);
-    putRow(m_database, "view", {std::int64_t{0}, jsonOf(view.camera), "[" + hidden + "]", view.thumbnail});
+    putRow(m_database, "view",
+           {std::int64_t{0}, jsonOf(view.camera), listText(view.hiddenParts, wholeText), view.thumbnail});
     m_rows["view"] = 1;
 }
 

@@ -1,7 +1,7 @@
 // Files that a recipe writes at the end.
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 #include "core/model/length_units.h"
-#include "io/export/export_formats.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
 
@@ -94,15 +94,6 @@ void checkStaysInside(const JsonNode& node, const std::string& file)
         node.failExpecting(Message("Recipe", "must be a path inside the output folder"));
 }
 
-std::vector<std::string> knownEndings()
-{
-    std::vector<std::string> endings;
-    for (const FileFormat& format : allExportFormats())
-        endings.insert(endings.end(), format.endings.begin(), format.endings.end());
-    endings.emplace_back("png");
-    return endings;
-}
-
 } // namespace
 
 RecipeExport readRecipeExport(const JsonNode& node)
@@ -112,11 +103,8 @@ RecipeExport readRecipeExport(const JsonNode& node)
     wanted.file = file.text();
     checkStaysInside(file, wanted.file);
 
-    const std::vector<std::string> endings = knownEndings();
-    if (std::find(endings.begin(), endings.end(), lowerCaseEnding(wanted.file)) == endings.end())
-        file.failExpecting(Message("Recipe", "must end in one of %1").with(listed(endings, [](const std::string& e) {
-            return "." + e;
-        })));
+    if (!wanted.isPicture() && formatToWrite(wanted.file) == nullptr)
+        file.failExpecting(Message("Recipe", "must end in one of %1").with(formatEndings(", ") + ", .png"));
     if (wanted.isPicture())
         readPictureKeys(node, wanted);
     else

@@ -37,10 +37,7 @@ std::string RecipeWords::load(const Load& load) const
     if (load.box) {
         text.millimeters("box_mm", *load.box);
     } else {
-        std::string faces;
-        for (const std::uint32_t face : load.faces)
-            faces += (faces.empty() ? "" : ", ") + std::to_string(face);
-        text.put("faces", "[" + faces + "]");
+        text.put("faces", listText(load.faces, wholeText));
     }
     putAmount(text, load.amount, load.ramp);
     return text.take();

@@ -34,30 +34,6 @@ bool isAsPublished(const Aggregate& aggregate)
     return !aggregate.weight.back().empty();
 }
 
-/// The top of a recipe: a key on each line, and an item on each line of a list.
-class Document {
-public:
-    Document& put(const std::string& key, const std::string& json)
-    {
-        m_text += m_text.empty() ? "{\n  \"" : ",\n  \"";
-        m_text += key + "\": " + json;
-        return *this;
-    }
-
-    Document& list(const std::string& key, const std::vector<std::string>& items)
-    {
-        std::string text;
-        for (const std::string& item : items)
-            text += (text.empty() ? "[\n    " : ",\n    ") + item;
-        return items.empty() ? *this : put(key, text + "\n  ]");
-    }
-
-    std::string take() const { return m_text + "\n}\n"; }
-
-private:
-    std::string m_text;
-};
-
 class Writer {
 public:
     Writer(const Project& project, const RecipeOfProjectChoices& choices, const std::vector<MaterialPreset>& presets)
@@ -80,7 +56,7 @@ public:
         putBodies();
         putWorld();
         putTools();
-        m_document.list("events", events());
+        putUnlessEmpty("events", events());
         m_document.put("duration_steps", std::to_string(m_project.entries[m_project.current].step));
         return {m_document.take(), std::move(m_remarks)};
     }
@@ -146,21 +122,17 @@ private:
             part.text("file", seenFrom(m_choices.recipePath, paths.front()));
             return;
         }
-        std::string list;
-        for (const std::string& path : paths)
-            list += (list.empty() ? "" : ", ") + quoted(seenFrom(m_choices.recipePath, path));
-        part.put("files", '[' + list + ']');
+        part.put("files", listText(paths, [this](const std::string& path) {
+                     return quoted(seenFrom(m_choices.recipePath, path));
+                 }));
     }
 
     void putImport(ObjectText& part) const
     {
         const ImportOptions& options = m_project.import.options;
         const ImportOptions usual;
-        std::string parts;
-        for (const std::string& path : options.parts)
-            parts += (parts.empty() ? "" : ", ") + quoted(path);
-        if (!parts.empty())
-            part.put("parts", '[' + parts + ']');
+        if (!options.parts.empty())
+            part.put("parts", listText(options.parts, quoted));
         if (!options.unit.empty())
             part.text("unit", options.unit);
         if (!options.heal)
@@ -192,7 +164,7 @@ private:
                 regions.push_back(regionText(b, region));
         }
         putUnlessEmpty("body_materials", materials);
-        m_document.list("regions", regions);
+        putUnlessEmpty("regions", regions);
         putUnlessEmpty("bodies", starts);
         if (const double friction = m_scene.bodies.front().structuralFriction; friction != 0)
             m_document.put("structural_friction", exactText(friction));
@@ -209,6 +181,12 @@ private:
     {
         if (!object.isEmpty())
             m_document.put(key, object.take());
+    }
+
+    void putUnlessEmpty(const std::string& key, const std::vector<std::string>& items)
+    {
+        if (!items.empty())
+            m_document.list(key, items);
     }
 
     static std::string startOf(const Body& body)
@@ -238,9 +216,7 @@ private:
         if (m_scene.touching != Touching::separate)
             m_document.put("touching", quoted(wordFor(m_scene.touching, touchingWords())));
         if (m_scene.gravity != Vec3::Zero())
-            m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " +
-                                               exactText(m_scene.gravity.y()) + ", " + exactText(m_scene.gravity.z()) +
-                                               ']');
+            m_document.put("gravity_m_s2", listText(m_scene.gravity, exactText));
         if (m_scene.floorHeight) {
             ObjectText floor;
             floor.millimeters("height_mm", *m_scene.floorHeight).number("friction", m_scene.floorFriction);
@@ -263,15 +239,15 @@ private:
         std::vector<std::string> fixtures;
         for (const Fixture& fixture : m_scene.fixtures)
             fixtures.push_back(m_words.fixture(fixture));
-        m_document.list("fixtures", fixtures);
+        putUnlessEmpty("fixtures", fixtures);
         std::vector<std::string> loads;
         for (const Load& load : m_scene.loads)
             loads.push_back(m_words.load(load));
-        m_document.list("loads", loads);
+        putUnlessEmpty("loads", loads);
         std::vector<std::string> manipulators;
         for (const Manipulator& manipulator : m_scene.manipulators)
             manipulators.push_back(m_words.manipulator(manipulator));
-        m_document.list("manipulators", manipulators);
+        putUnlessEmpty("manipulators", manipulators);
     }
 
     std::vector<std::string> events()
@@ -298,7 +274,7 @@ private:
     const Scene& m_scene;
     RecipeNames m_names;
     RecipeWords m_words;
-    Document m_document;
+    PageText m_document;
     std::set<std::string> m_regionNames;
     std::vector<Message> m_remarks;
 };

@@ -60,14 +60,6 @@ std::optional<Box> boxOf(const Aggregate& aggregate, const std::vector<ObjectInd
     return objectsInBox(aggregate, box) == objects ? std::optional(box) : std::nullopt;
 }
 
-std::string listOf(const std::vector<std::uint32_t>& numbers)
-{
-    std::string text;
-    for (const std::uint32_t number : numbers)
-        text += (text.empty() ? "" : ", ") + std::to_string(number);
-    return '[' + text + ']';
-}
-
 } // namespace
 
 void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
@@ -77,7 +69,7 @@ void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh
     const std::vector<std::uint32_t> faces = facesOf(aggregate, mesh, objects);
     if (faces.empty())
         return putObjects(text, aggregate, std::move(objects));
-    text.put("faces", listOf(faces));
+    text.put("faces", listText(faces, wholeText));
 }
 
 void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects)

@@ -30,14 +30,13 @@ std::string sizeText(const Manipulator& form)
 
 void putKeyFrames(ObjectText& text, const std::vector<KeyFrame>& frames)
 {
-    std::string list;
-    for (const KeyFrame& frame : frames) {
-        ObjectText one;
-        one.number("time_s", frame.time).millimeters("position_mm", frame.pose.position);
-        one.numbers("rotation_wxyz", frame.pose.rotation);
-        list += (list.empty() ? "" : ", ") + one.take();
-    }
-    text.put("keyframes", '[' + list + ']');
+    text.put("keyframes", listText(frames, [](const KeyFrame& frame) {
+                 return ObjectText()
+                     .number("time_s", frame.time)
+                     .millimeters("position_mm", frame.pose.position)
+                     .numbers("rotation_wxyz", frame.pose.rotation)
+                     .take();
+             }));
 }
 
 struct MotionText {

@@ -1,7 +1,6 @@
 #include "io/worker/isolated_export.h"
 
 #include "core/message/message.h"
-#include "io/export/export_formats.h"
 #include "io/export/job_file.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
@@ -24,10 +23,10 @@ constexpr double timePerByte = 60e-6;       // [s]
 
 FormatKind kindFor(const std::string& path)
 {
-    const auto kind = cadFormatFor(path);
-    if (!kind)
+    const FileFormat* format = formatToWrite(path);
+    if (format == nullptr || !format->isSmooth)
         failReading(path, Message("Export", "smooth faces go into .step, .iges and .brep files only."));
-    return *kind;
+    return format->kind;
 }
 
 } // namespace

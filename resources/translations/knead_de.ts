@@ -2081,24 +2081,13 @@
         <source>What of the force is plotted</source>
         <translation>Was von der Kraft aufgetragen wird</translation>
     </message>
-</context>
-<context>
-    <name>ForcePlot</name>
     <message>
         <source>Add a tool and press Space: forces over time appear here.</source>
         <translation>Fügen Sie ein Werkzeug hinzu und drücken Sie die Leertaste: hier erscheinen Kräfte über der Zeit.</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation>Zeit [s]</translation>
-    </message>
-    <message>
-        <source>Force [%1]</source>
-        <translation>Kraft [%1]</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>Force</source>
+        <translation>Kraft</translation>
     </message>
 </context>
 <context>

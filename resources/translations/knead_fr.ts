@@ -2081,24 +2081,13 @@
         <source>What of the force is plotted</source>
         <translation>Ce qui est tracé de la force</translation>
     </message>
-</context>
-<context>
-    <name>ForcePlot</name>
     <message>
         <source>Add a tool and press Space: forces over time appear here.</source>
         <translation>Ajoutez un outil et appuyez sur Espace&#xa0;: les forces au cours du temps apparaissent ici.</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation>Temps [s]</translation>
-    </message>
-    <message>
-        <source>Force [%1]</source>
-        <translation>Force [%1]</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>Force</source>
+        <translation>Force</translation>
     </message>
 </context>
 <context>

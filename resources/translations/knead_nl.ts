@@ -2081,24 +2081,13 @@
         <source>What of the force is plotted</source>
         <translation>Wat van de kracht uitgezet wordt</translation>
     </message>
-</context>
-<context>
-    <name>ForcePlot</name>
     <message>
         <source>Add a tool and press Space: forces over time appear here.</source>
         <translation>Voeg gereedschap toe en druk op Spatie: krachten over de tijd verschijnen hier.</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation>Tijd [s]</translation>
-    </message>
-    <message>
-        <source>Force [%1]</source>
-        <translation>Kracht [%1]</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>Force</source>
+        <translation>Kracht</translation>
     </message>
 </context>
 <context>

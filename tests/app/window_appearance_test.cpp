@@ -71,7 +71,7 @@ private slots:
 
     void theExportDialogIsAsHighAsItsWords()
     {
-        ExportDialog dialog(m_services.exportFormats, {}, false, m_window.get());
+        ExportDialog dialog({}, false, m_window.get());
         dialog.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
         const auto* about = dialog.findChild<QLabel*>("exportAbout");
@@ -85,7 +85,7 @@ private slots:
     void theExportDialogGrowsWithTheWordsOfAnotherFormat()
     {
         QSettings().setValue("export/format", "OBJ (.obj)");
-        ExportDialog dialog(m_services.exportFormats, {}, false, m_window.get());
+        ExportDialog dialog({}, false, m_window.get());
         QSettings().remove("export/format");
         auto* format = dialog.findChild<QComboBox*>("exportFormat");
         QCOMPARE(format->currentText(), QString("OBJ (.obj)"));

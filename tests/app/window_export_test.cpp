@@ -87,7 +87,7 @@ private slots:
 
     void textIsAskedForWhereThereIsAChoice()
     {
-        ExportDialog dialog(m_services.exportFormats, {}, false, m_window.get());
+        ExportDialog dialog({}, false, m_window.get());
         auto* formats = dialog.findChild<QComboBox*>("exportFormat");
         auto* text = dialog.findChild<QCheckBox*>("exportText");
         auto* unit = dialog.findChild<QComboBox*>("exportUnit");

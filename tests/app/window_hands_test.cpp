@@ -8,7 +8,8 @@
 #include "ui/interaction/press_hand.h"
 #include "ui/interaction/pull_hand.h"
 #include "ui/measuring/fold_marks.h"
-#include "ui/panels/force_plot.h"
+#include "ui/panels/force_panel.h"
+#include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/run_window.h"
 
@@ -718,7 +719,7 @@ private slots:
         QVERIFY(m_window->banner().sentence().contains("press Play"));
         m_window->banner().hide();
         key(Qt::Key_F9);
-        QTRY_VERIFY(find<ForcePlot>("forcePlot")->isVisible());
+        QTRY_VERIFY(find<PlotView>("forcePlot")->isVisible());
         key(Qt::Key_Space);
         QTest::keyPress(&view(), Qt::Key_PageDown); // at once: it drives the tool from the first picture on
         QTRY_VERIFY_WITH_TIMEOUT(tool().force.norm() > 0, patience);
@@ -727,8 +728,9 @@ private slots:
         QTest::keyRelease(&view(), Qt::Key_PageDown);
         auto* label = find<QLabel>(qPrintable(QStringLiteral("forceLabel%1").arg(tool().id)));
         QVERIFY(label != nullptr && label->text().endsWith('N'));
-        auto* plot = find<ForcePlot>("forcePlot");
-        QTRY_VERIFY(!plot->record().curves.empty());
+        auto* plot = find<PlotView>("forcePlot");
+        const ForceRecord& record = find<ForcePanel>("forcePanel")->record();
+        QTRY_VERIFY(!record.curves.empty());
         QTest::mouseMove(plot, plot->rect().center() + QPoint(40, 0));
         pictures("forces");
         key(Qt::Key_F8); // arrows and numbers off
@@ -737,16 +739,15 @@ private slots:
         key(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing);
         settle();
-        QTRY_COMPARE(plot->record().times.size(), document().timeline().pictures.size()); // it follows at leisure
-        const ForceRecord& record = plot->record();
-        QCOMPARE(record.curves.size(), std::size_t{2}); // the block and the fixture
+        QTRY_COMPARE(record.times.size(), document().timeline().pictures.size()); // it follows at leisure
+        QCOMPARE(record.curves.size(), std::size_t{2});                           // the block and the fixture
         QCOMPARE(record.curves[0].name, std::string("Block 1"));
         double largest = 0;
         for (const std::optional<Vec3>& force : record.curves[0].forces)
             largest = std::max(largest, force->norm());
         QVERIFY(largest > 0 && largest <= tool().peakForce * 1.001);
-        QTest::mouseClick(plot, Qt::LeftButton, {}, plot->legendArea(1).center());
-        QVERIFY(plot->isHidden(1));
+        QTest::mouseClick(plot, Qt::LeftButton, {}, plot->legendArea(1).center().toPoint());
+        QVERIFY(plot->isHidden(plot->lines()[1]));
 
         m_window->features().hands->exportForces(m_folder.filePath("forces.csv"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);

@@ -1,4 +1,5 @@
 #include "core/geometry/mass_properties.h"
+#include "core/model/file_formats.h"
 #include "io/formats/mesh_writer.h"
 #include "io/formats/vtp/base64_sink.h"
 #include "io/importer.h"
@@ -190,7 +191,15 @@ private:
         for (const char* ending : endings)
             QTest::newRow(ending) << ending;
     }
-    static void addAllEndings() { addEndings({"stl", "obj", "ply", "glb", "gltf", "3mf", "vtp"}); }
+    static void addAllEndings()
+    {
+        std::vector<const char*> endings;
+        for (const FileFormat& format : fileFormats)
+            for (const std::string& ending : format.endings)
+                if (!format.isSmooth)
+                    endings.push_back(ending.c_str());
+        addEndings(endings);
+    }
 
     QTemporaryDir m_folder;
 };

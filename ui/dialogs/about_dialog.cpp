@@ -29,6 +29,7 @@ std::vector<Services::Library> withOwn(std::vector<Services::Library> libraries)
 
 AboutDialog::AboutDialog(const std::vector<Services::Library>& libraries, QWidget* parent)
     : QDialog(parent)
+    , m_libraries(withOwn(libraries))
 {
     setObjectName("aboutBox");
     setWindowTitle(tr("About Knead"));
@@ -36,7 +37,7 @@ AboutDialog::AboutDialog(const std::vector<Services::Library>& libraries, QWidge
     column->setContentsMargins(20, 20, 20, 14);
     column->setSpacing(12);
     column->addWidget(makeHead());
-    column->addWidget(makeList(withOwn(libraries)), 1);
+    column->addWidget(makeList(), 1);
     auto* row = new QHBoxLayout;
     auto* copyButton = new QPushButton(tr("Copy versions"), this);
     copyButton->setObjectName("aboutCopy");
@@ -77,7 +78,7 @@ QWidget* AboutDialog::makeHead()
     return head;
 }
 
-QWidget* AboutDialog::makeList(std::vector<Services::Library> libraries)
+QWidget* AboutDialog::makeList()
 {
     auto* list = new QTreeWidget(this);
     list->setObjectName("aboutLibraries");
@@ -87,7 +88,7 @@ QWidget* AboutDialog::makeList(std::vector<Services::Library> libraries)
     list->setFocusPolicy(Qt::TabFocus);
     list->setColumnCount(3);
     list->setHeaderLabels({tr("Made with"), tr("Version"), tr("License")});
-    for (const Services::Library& library : libraries)
+    for (const Services::Library& library : m_libraries)
         new QTreeWidgetItem(list, {QString::fromStdString(library.name), QString::fromStdString(library.version),
                                    QString::fromStdString(library.license)});
     list->header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
@@ -100,9 +101,8 @@ QWidget* AboutDialog::makeList(std::vector<Services::Library> libraries)
 void AboutDialog::copy() const
 {
     QStringList lines{"Knead " + QApplication::applicationVersion()};
-    const auto* list = findChild<QTreeWidget*>("aboutLibraries");
-    for (int i = 0; i < list->topLevelItemCount(); ++i)
-        lines << list->topLevelItem(i)->text(NameColumn) + ' ' + list->topLevelItem(i)->text(VersionColumn);
+    for (const Services::Library& library : m_libraries)
+        lines << QString::fromStdString(library.name + ' ' + library.version);
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 

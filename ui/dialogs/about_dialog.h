@@ -15,8 +15,10 @@ public:
 
 private:
     QWidget* makeHead();
-    QWidget* makeList(std::vector<Services::Library> libraries);
+    QWidget* makeList();
     void copy() const;
+
+    std::vector<Services::Library> m_libraries; ///< all of them
 };
 
 } // namespace knead

@@ -19,7 +19,7 @@ namespace {
 constexpr int partsRole = Qt::UserRole;
 constexpr int exportDialogWidth = 520; // [pixels]
 
-QString aboutFormat(const Services::Format& format)
+QString aboutFormat(const FileFormat& format)
 {
     if (format.isSmooth)
         return ExportDialog::tr("Smooth trimmed faces, one for each face of the part as it was opened, at the places "
@@ -28,9 +28,9 @@ QString aboutFormat(const Services::Format& format)
 }
 
 /// Whether a person can choose between text and binary.
-bool hasText(const Services::Format& format)
+bool hasText(const FileFormat& format)
 {
-    return format.name == "STL" || format.name == "PLY";
+    return format.text == FileFormat::Text::asAsked;
 }
 
 /// As high as it has lines at its width: a form leaves a label that breaks its words the room of a narrow one.
@@ -43,10 +43,8 @@ public:
 
 } // namespace
 
-ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const QString& selected, bool hidden,
-                           QWidget* parent)
+ExportDialog::ExportDialog(const QString& selected, bool hidden, QWidget* parent)
     : QDialog(parent)
-    , m_formats(formats)
 {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export the deformed parts"));
@@ -58,7 +56,7 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     column->addLayout(form);
 
     m_format = makeChoice("exportFormat", this);
-    for (const Services::Format& format : m_formats)
+    for (const FileFormat& format : fileFormats)
         m_format->addItem(
             tr("%1 (.%2)").arg(QString::fromStdString(format.name), QString::fromStdString(format.endings.front())));
     form->addRow(tr("Format"), m_format);
@@ -78,7 +76,7 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
 
     m_unit = makeChoice("exportUnit", this);
     m_unit->addItem(tr("As in the file that was opened"), QString());
-    for (const char* unit : {"mm", "cm", "m", "inch", "ft"})
+    for (const char* unit : exportUnits)
         m_unit->addItem(tr(unit), QString(unit));
     form->addRow(tr("Lengths"), m_unit);
 
@@ -121,17 +119,17 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     formatChanged();
 }
 
-const Services::Format& ExportDialog::format() const
+const FileFormat& ExportDialog::format() const
 {
-    return m_formats[static_cast<std::size_t>(m_format->currentIndex())];
+    return fileFormats[static_cast<std::size_t>(m_format->currentIndex())];
 }
 
 void ExportDialog::formatChanged()
 {
     m_about->setText(aboutFormat(format()));
     m_tolerance->setEnabled(format().isSmooth);
-    m_unit->setEnabled(format().name != "glTF"); // which is in metres
-    m_ap214->setVisible(format().name == "STEP");
+    m_unit->setEnabled(!format().isInMetres);
+    m_ap214->setVisible(format().takesAp214);
     m_text->setVisible(hasText(format()));
     layout()->activate();
     resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
@@ -143,7 +141,7 @@ ExportRequest ExportDialog::request() const
     request.which = static_cast<ExportRequest::Which>(m_parts->currentData(partsRole).toInt());
     request.options.unit = m_unit->currentData().toString().toStdString();
     request.options.tolerance = m_tolerance->value();
-    request.options.useAp214 = m_ap214->isChecked() && format().name == "STEP";
+    request.options.useAp214 = m_ap214->isChecked() && format().takesAp214;
     request.options.isText = m_text->isChecked() && hasText(format());
     request.onePerPart = m_onePerPart->isChecked();
     request.keepsReport = m_report->isChecked();

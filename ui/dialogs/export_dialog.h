@@ -1,11 +1,10 @@
 #pragma once
 
+#include "core/model/file_formats.h"
 #include "core/session/export_request.h"
 #include "ui/services.h"
 
 #include <QDialog>
-
-#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -22,18 +21,16 @@ class ExportDialog final : public QDialog {
 public:
     /// @param selected name of the selected part; empty for none
     /// @param hidden whether some parts are hidden
-    ExportDialog(const std::vector<Services::Format>& formats, const QString& selected, bool hidden,
-                 QWidget* parent = nullptr);
+    ExportDialog(const QString& selected, bool hidden, QWidget* parent = nullptr);
 
     /// The choices as they stand.
     ExportRequest request() const;
     /// The chosen format.
-    const Services::Format& format() const;
+    const FileFormat& format() const;
 
 private:
     void formatChanged();
 
-    std::vector<Services::Format> m_formats;
     QComboBox* m_format = nullptr;
     QLabel* m_about = nullptr;
     QComboBox* m_parts = nullptr;

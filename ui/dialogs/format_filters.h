@@ -1,15 +1,18 @@
 #pragma once
 
-#include "ui/services.h"
+#include "core/model/file_formats.h"
 
 #include <QStringList>
 
-#include <vector>
-
 namespace knead {
 
-/// "STEP (*.step *.stp)": a format as dialogs for files have it.
-QString filterOf(const Services::Format& format);
-QStringList filtersOf(const std::vector<Services::Format>& formats);
+/// "STEP (*.step *.stp)": a format as a dialog for files to write has it.
+QString filterOf(const FileFormat& format);
+
+/// The same of all formats that are read, for a dialog for files to read.
+QStringList filtersToRead();
+
+/// "*.step *.stp ...": all that filtersToRead() hold.
+QString patternsToRead();
 
 } // namespace knead

@@ -41,14 +41,14 @@ void ExportFeature::askForExport()
             names << m_bench.document.nameOfBody(body);
     if (names.size() > mostNames)
         names = names.mid(0, mostNames) << QStringLiteral("\u2026");
-    auto* dialog = new ExportDialog(m_bench.services.exportFormats, names.join(QStringLiteral(", ")),
-                                    !m_bench.viewport.options().hiddenParts.empty(), &m_bench.window);
+    auto* dialog = new ExportDialog(names.join(QStringLiteral(", ")), !m_bench.viewport.options().hiddenParts.empty(),
+                                    &m_bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->request(), dialog->format()); });
     dialog->open();
 }
 
-void ExportFeature::askForPlace(const ExportRequest& request, const Services::Format& format)
+void ExportFeature::askForPlace(const ExportRequest& request, const FileFormat& format)
 {
     const QString proposed =
         QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();

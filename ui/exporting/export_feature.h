@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/export_report.h"
+#include "core/model/file_formats.h"
 #include "core/session/export_request.h"
 #include "ui/frame/workbench.h"
 
@@ -31,7 +32,7 @@ private:
     };
 
     void askForExport();
-    void askForPlace(const ExportRequest& request, const Services::Format& format);
+    void askForPlace(const ExportRequest& request, const FileFormat& format);
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);

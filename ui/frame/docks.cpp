@@ -31,14 +31,14 @@ constexpr std::array<DockPlace, 14> dockPlaces{{
     {"propertiesDock", Qt::LeftDockWidgetArea, {}},
     {"displayDock", Qt::LeftDockWidgetArea, "propertiesDock"},
     {"handsDock", Qt::LeftDockWidgetArea, "propertiesDock"},
-    {"timelineDock", Qt::BottomDockWidgetArea, {}, true},
+    {.name = "timelineDock", .area = Qt::BottomDockWidgetArea, .with = {}, .isLow = true},
     {"logDock", Qt::BottomDockWidgetArea, {}},
     {"importDock", Qt::BottomDockWidgetArea, "logDock"},
     {"exportDock", Qt::BottomDockWidgetArea, "logDock"},
     {"performanceDock", Qt::BottomDockWidgetArea, "logDock"},
-    {"measureDock", Qt::BottomDockWidgetArea, "logDock", false, false},
-    {"probeDock", Qt::BottomDockWidgetArea, "logDock", false, false},
-    {"forcesDock", Qt::BottomDockWidgetArea, "logDock", false, false},
+    {.name = "measureDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
+    {.name = "probeDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
+    {.name = "forcesDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
 }};
 
 const DockPlace& dockPlaceOf(std::string_view name)

@@ -271,7 +271,7 @@ void MainWindow::makeMenus()
     m_addTool->menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
     const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline, *m_recent, *m_addTool};
     QMenu* panels = fillMenuBar(*this, sources);
-    fillToolBar(*this, sources);
+    m_features->help->setToolBar(makeToolBar(*this, sources));
     listPanels(*this, *panels, *m_selectionBar, *m_actions);
 }
 

@@ -101,7 +101,7 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     return panels;
 }
 
-void fillToolBar(QMainWindow& window, const MenuSources& sources)
+QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources)
 {
     auto* bar = new FittingToolBar(WindowMenus::tr("Tool bar"), &window);
     window.addToolBar(bar);
@@ -136,6 +136,7 @@ void fillToolBar(QMainWindow& window, const MenuSources& sources)
                    sources.display.menu()->menuAction(), a.open, a.reset, a.renormalize, a.gravity, a.floor, a.step,
                    a.save});
     bar->setTurns(a.play, &Actions::textsOfPlay);
+    return *bar;
 }
 
 void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const Actions& actions)

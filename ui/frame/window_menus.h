@@ -26,7 +26,7 @@ struct MenuSources {
 /// @return the menu of the panels, still empty
 QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources);
 
-void fillToolBar(QMainWindow& window, const MenuSources& sources);
+QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources);
 
 /// Every dock and bar can be closed and comes back from here.
 /// @param besides another bar, in the middle of the window

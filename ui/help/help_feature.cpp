@@ -60,7 +60,7 @@ void HelpFeature::showTour()
 {
     QSettings().setValue(tourSeen, true);
     if (m_tour == nullptr)
-        m_tour = new Tour(m_bench.window, windowTour(m_bench.window));
+        m_tour = new Tour(m_bench.window, windowTour(m_bench, *m_toolBar));
     m_tour->begin();
 }
 

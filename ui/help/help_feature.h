@@ -18,6 +18,9 @@ public:
     HelpFeature(const Workbench& bench, const Actions& actions);
     ~HelpFeature() override;
 
+    /// The tool bar that the tour shows; before its first. It stays as long as this.
+    void setToolBar(QWidget& bar) { m_toolBar = &bar; }
+
     /// Shows the tour of the window to who has not seen it.
     void offerTour();
 
@@ -28,6 +31,7 @@ private:
     void showAbout();
 
     Workbench m_bench;
+    QWidget* m_toolBar = nullptr;
     QPointer<HandbookWindow> m_handbook;
     QPointer<Tour> m_tour;
 };

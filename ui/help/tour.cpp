@@ -1,5 +1,8 @@
 #include "ui/help/tour.h"
 
+#include "ui/frame/docks.h"
+#include "ui/frame/workbench.h"
+
 #include <QApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -12,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string_view>
 
 namespace knead {
 
@@ -209,18 +213,15 @@ void Tour::hideEvent(QHideEvent* event)
     QWidget::hideEvent(event);
 }
 
-std::vector<Tour::Step> windowTour(QMainWindow& window)
+std::vector<Tour::Step> windowTour(const Workbench& bench, QWidget& toolBar)
 {
-    const auto widget = [&window](const char* name) {
-        return [&window, name]() -> QWidget* {
-            auto* found = window.findChild<QWidget*>(name);
-            if (auto* dock = qobject_cast<QDockWidget*>(found)) {
-                dock->show();
-                dock->raise();
-            }
-            return found;
+    const auto dock = [&docks = bench.docks](std::string_view name) {
+        return [&docks, name]() -> QWidget* {
+            docks.show(name);
+            return &docks.of(name);
         };
     };
+    QMainWindow& window = bench.window;
     return {
         {Tour::tr("Open a part"),
          Tour::tr(
@@ -230,20 +231,20 @@ std::vector<Tour::Step> windowTour(QMainWindow& window)
         {Tour::tr("What there is"),
          Tour::tr(
              "Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too."),
-         widget("modelDock")},
+         dock("modelDock")},
         {Tour::tr("What it is made of"),
          Tour::tr(
              "Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while "
              "time runs."),
-         widget("propertiesDock")},
+         dock("propertiesDock")},
         {Tour::tr("Hold, push, run"),
          Tour::tr("X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button "
                   "or drive "
                   "it with the arrow keys; the middle button turns the view."),
-         widget("toolBar")},
+         [&toolBar] { return &toolBar; }},
         {Tour::tr("Back and forth in time"),
          Tour::tr("Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included."),
-         widget("timelineDock")},
+         dock("timelineDock")},
         {Tour::tr("Everything else"),
          Tour::tr(
              "Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, "

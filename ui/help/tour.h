@@ -13,6 +13,8 @@ class QPushButton;
 
 namespace knead {
 
+struct Workbench;
+
 /// A minute's tour of the window: darkens it but for the place that is spoken of, with a card beside that. Enter and the arrow
 /// keys go on and back, Esc or a button ends it.
 class Tour final : public QWidget {
@@ -61,6 +63,6 @@ private:
 };
 
 /// The steps through Knead's main window, in the language spoken now.
-std::vector<Tour::Step> windowTour(QMainWindow& window);
+std::vector<Tour::Step> windowTour(const Workbench& bench, QWidget& toolBar);
 
 } // namespace knead

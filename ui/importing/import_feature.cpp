@@ -107,15 +107,12 @@ void ImportFeature::openWithChoices(const QStringList& paths)
 
 void ImportFeature::askForFile(bool withChoices)
 {
-    QStringList all;
-    for (const Services::Format& format : m_bench.services.importFormats)
-        for (const std::string& ending : format.endings)
-            all << "*." + QString::fromStdString(ending);
-    QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_bench.services.importFormats);
+    const QString all = patternsToRead();
+    QStringList filters = QStringList(tr("Parts (%1)").arg(all)) + filtersToRead();
     if (!withChoices) {
         const QString ending = "*." + QString::fromStdString(m_bench.services.projects.ending);
         const QString recipes = "*." + QString::fromStdString(m_bench.services.recipes.ending);
-        filters[0] = tr("Projects, recipes and parts (%1)").arg(ending + ' ' + recipes + ' ' + all.join(' '));
+        filters[0] = tr("Projects, recipes and parts (%1)").arg(ending + ' ' + recipes + ' ' + all);
         filters.insert(1, m_projects.keeper().filter());
         filters.insert(2, tr("Recipes (%1)").arg(recipes));
     }

@@ -74,10 +74,10 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     column->addWidget(makeZone());
     m_recent = new QWidget(page);
     m_recentGrid = makeGrid(m_recent);
-    auto* recentTitle = label(tr("Go on with"), "title", page);
-    recentTitle->setObjectName("recentTitle");
+    m_recentTitle = label(tr("Go on with"), "title", page);
+    m_recentTitle->setObjectName("recentTitle");
     column->addSpacing(6);
-    column->addWidget(recentTitle);
+    column->addWidget(m_recentTitle);
     column->addWidget(m_recent);
     addExamples(column, examplesFolder);
     column->addStretch();
@@ -193,8 +193,7 @@ void HomePage::listCards()
         m_recentGrid->addWidget(card, m_recentGrid->count() / cardsInRow, m_recentGrid->count() % cardsInRow);
     }
     m_recent->setVisible(!m_recentPaths.isEmpty());
-    if (auto* title = findChild<QLabel*>("recentTitle"))
-        title->setVisible(!m_recentPaths.isEmpty());
+    m_recentTitle->setVisible(!m_recentPaths.isEmpty());
 }
 
 void HomePage::showWaiting(const QStringList& names)

@@ -41,6 +41,7 @@ private:
     QFrame* m_zone = nullptr;
     QFrame* m_waiting = nullptr;
     QLabel* m_waitingNames = nullptr;
+    QLabel* m_recentTitle = nullptr;
     QWidget* m_recent = nullptr;
     QGridLayout* m_recentGrid = nullptr;
     QStringList m_recentPaths;

@@ -40,15 +40,6 @@ std::optional<double> valueAt(const PlotLine& line, double x)
 
 } // namespace
 
-double roundStep(double least)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9))
-            return factor * power;
-    return 10 * power;
-}
-
 PlotView::PlotView(QWidget* parent)
     : QWidget(parent)
 {
@@ -81,13 +72,6 @@ void PlotView::setHint(const QString& hint)
     update();
 }
 
-PlotView::Axis PlotView::fitted(double lowest, double highest, double labels) const
-{
-    const double size = std::max({highest - lowest, 1e-9 * std::max(std::abs(lowest), std::abs(highest)), 1e-12});
-    const double step = roundStep(size / std::max(1.0, labels));
-    return {std::floor(lowest / step + 1e-9) * step, std::ceil(highest / step - 1e-9) * step, step};
-}
-
 /// Time to its end; values from 0, so that small noise stays small.
 void PlotView::fitAxes()
 {
@@ -99,19 +83,17 @@ void PlotView::fitAxes()
         for (const QPointF& point : line.points) {
             first = std::min(first, point.x());
             last = std::max(last, point.x());
-            if (std::isfinite(point.y())) {
+            if (!isHidden(line) && std::isfinite(point.y())) {
                 lowest = std::min(lowest, point.y());
                 highest = std::max(highest, point.y());
             }
         }
     first = std::min(first, last);
     last = std::max(last, first + shortestTime);
-    m_x = fitted(first, last, area().width() / labelSpacing);
-    m_x.begin = first;
-    m_x.end = last;
-    m_y = fitted(lowest, highest, area().height() / rowSpacing);
-    if (m_y.end <= m_y.begin)
-        m_y.end = m_y.begin + m_y.step;
+    if (lowest == highest)
+        highest = 1; // all of it is 0
+    m_x = PlotAxis::between(first, last, area().width() / labelSpacing);
+    m_y = PlotAxis::around(lowest, highest, area().height() / rowSpacing);
 }
 
 QRectF PlotView::area() const
@@ -119,11 +101,10 @@ QRectF PlotView::area() const
     return {left, top, std::max(10.0, width() - left - right), std::max(10.0, height() - top - bottom)};
 }
 
-QPointF PlotView::pixelOf(const QPointF& value) const
+QPointF PlotView::placeOf(const QPointF& value) const
 {
     const QRectF box = area();
-    return {box.left() + (value.x() - m_x.begin) / (m_x.end - m_x.begin) * box.width(),
-            box.bottom() - (value.y() - m_y.begin) / (m_y.end - m_y.begin) * box.height()};
+    return {box.left() + m_x.shareOf(value.x()) * box.width(), box.bottom() - m_y.shareOf(value.y()) * box.height()};
 }
 
 void PlotView::paintEvent(QPaintEvent* /*event*/)
@@ -151,27 +132,23 @@ void PlotView::paintGrid(QPainter& painter) const
     QFont small = font();
     small.setPointSizeF(0.88 * small.pointSizeF());
     painter.setFont(small);
-    const double firstX = std::ceil(m_x.begin / m_x.step - 1e-9) * m_x.step;
-    for (double x = firstX; x <= m_x.end + 1e-9 * m_x.step; x += m_x.step) {
-        const QPointF at = pixelOf({x, m_y.begin});
+    for (const double x : m_x.labels()) {
+        const QPointF at = placeOf({x, m_y.begin});
         painter.setPen(QPen(line, 1));
         painter.drawLine(QPointF(at.x(), box.top()), QPointF(at.x(), box.bottom()));
         painter.setPen(words);
-        const QString time = formatReading(std::abs(x) < 1e-9 * m_x.step ? 0 : x, Quantity::Time);
+        const QString time = formatReading(x, Quantity::Time);
         const double size = painter.fontMetrics().horizontalAdvance(time) + 2;
         const double from = std::min(at.x() - size / 2, width() - size); // the last one would be cut off
         painter.drawText(QRectF(from, box.bottom() + 4, size, 20), Qt::AlignHCenter | Qt::AlignTop, time);
     }
-    const int rows = static_cast<int>(std::lround((m_y.end - m_y.begin) / m_y.step));
-    for (int row = 0; row <= rows; ++row) {
-        const double y = m_y.begin + row * m_y.step;
-        const QPointF at = pixelOf({m_x.begin, y});
-        const bool isZero = std::abs(y) < 1e-9 * m_y.step;
-        painter.setPen(QPen(isZero ? words : line, 1));
+    for (const double y : m_y.labels()) {
+        const QPointF at = placeOf({m_x.begin, y});
+        painter.setPen(QPen(y == 0 ? words : line, 1));
         painter.drawLine(QPointF(box.left(), at.y()), QPointF(box.right(), at.y()));
         painter.setPen(words);
         painter.drawText(QRectF(0, at.y() - 10, left - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
-                         formatReading(isZero ? 0 : y, m_quantity));
+                         formatReading(y, m_quantity));
     }
 }
 
@@ -179,12 +156,14 @@ void PlotView::paintLines(QPainter& painter) const
 {
     painter.setClipRect(area().adjusted(-2, -2, 2, 2));
     for (const PlotLine& line : m_lines) {
-        painter.setPen(QPen(line.color, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        if (isHidden(line))
+            continue;
+        painter.setPen(QPen(line.color, 2, line.style, Qt::RoundCap, Qt::RoundJoin));
         QPolygonF whole;
         const auto finish = [&] { strokeInPieces(painter, thinned(std::exchange(whole, {}))); };
         for (const QPointF& point : line.points)
             if (std::isfinite(point.y()))
-                whole << pixelOf(point);
+                whole << placeOf(point);
             else
                 finish();
         finish();
@@ -192,23 +171,38 @@ void PlotView::paintLines(QPainter& painter) const
     painter.setClipping(false);
 }
 
-void PlotView::paintLegend(QPainter& painter) const
+QFont PlotView::titleFont() const
 {
     QFont strong = font();
     strong.setWeight(QFont::DemiBold);
-    painter.setFont(strong);
+    return strong;
+}
+
+QRectF PlotView::legendArea(std::size_t line) const
+{
+    double x = std::max(left, 8.0 + QFontMetrics(titleFont()).horizontalAdvance(m_title) + 20);
+    const auto widthOf = [this](const PlotLine& one) { return 15 + fontMetrics().horizontalAdvance(one.name); };
+    for (std::size_t i = 0; i < line; ++i)
+        x += widthOf(m_lines[i]) + 16;
+    return {x, 0, static_cast<double>(widthOf(m_lines[line])), top};
+}
+
+void PlotView::paintLegend(QPainter& painter) const
+{
+    painter.setFont(titleFont());
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QPointF(8, top - 9), m_title);
-    double x = std::max(left, 8.0 + painter.fontMetrics().horizontalAdvance(m_title) + 20);
     painter.setFont(font());
-    for (const PlotLine& line : m_lines) {
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const double x = legendArea(i).left();
+        painter.setOpacity(isHidden(m_lines[i]) ? 0.4 : 1);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(line.color);
+        painter.setBrush(m_lines[i].color);
         painter.drawRoundedRect(QRectF(x, top - 17, 10, 10), 2, 2);
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QPointF(x + 15, top - 8), line.name);
-        x += 15 + painter.fontMetrics().horizontalAdvance(line.name) + 16;
+        painter.drawText(QPointF(x + 15, top - 8), m_lines[i].name);
     }
+    painter.setOpacity(1);
 }
 
 /// A line through the time under the mouse, and what the lines are there.
@@ -222,11 +216,11 @@ void PlotView::paintCursor(QPainter& painter) const
     painter.drawLine(QPointF(*m_cursor, box.top()), QPointF(*m_cursor, box.bottom()));
     QStringList rows{formatReading(x, Quantity::Time)};
     for (const PlotLine& line : m_lines)
-        if (const auto value = valueAt(line, x)) {
+        if (const auto value = valueAt(line, x); value && !isHidden(line)) {
             rows << QStringLiteral("%1: %2").arg(line.name, formatReading(*value, m_quantity));
             painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
             painter.setBrush(line.color);
-            painter.drawEllipse(pixelOf({x, *value}), 4, 4);
+            painter.drawEllipse(placeOf({x, *value}), 4, 4);
         }
     const QString text = rows.join('\n');
     QRectF label = painter.boundingRect(QRectF(0, 0, 400, 400), Qt::AlignLeft, text).adjusted(-6, -4, 6, 4);
@@ -237,6 +231,16 @@ void PlotView::paintCursor(QPainter& painter) const
     painter.drawRoundedRect(label, 4, 4);
     painter.setPen(palette().color(QPalette::ToolTipText));
     painter.drawText(label.adjusted(6, 4, -6, -4), Qt::AlignLeft, text);
+}
+
+void PlotView::mousePressEvent(QMouseEvent* event)
+{
+    for (std::size_t i = 0; i < m_lines.size(); ++i)
+        if (legendArea(i).contains(event->position())) {
+            if (m_hidden.erase(m_lines[i].id) == 0)
+                m_hidden.insert(m_lines[i].id);
+            update();
+        }
 }
 
 void PlotView::mouseMoveEvent(QMouseEvent* event)

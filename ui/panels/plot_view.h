@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/panels/plot_axis.h"
 #include "ui/units.h"
 
 #include <QColor>
@@ -7,7 +8,9 @@
 #include <QString>
 #include <QWidget>
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 class QPainter;
@@ -19,9 +22,12 @@ struct PlotLine {
     QString name;
     QColor color;
     std::vector<QPointF> points; ///< SI, by ascending x; a y that is not a number interrupts the line
+    std::uint64_t id = 0;        ///< by which it stays hidden when it is shown anew
+    Qt::PenStyle style = Qt::SolidLine;
 };
 
-/// Draws lines over time with axes, units and a legend, in the colors of the theme. Under the mouse it says the values there.
+/// Draws lines over time with axes, units and a legend, in the colors of the theme. Under the mouse it says the values there; a
+/// click on a name hides its line.
 class PlotView final : public QWidget {
     Q_OBJECT
 public:
@@ -34,26 +40,24 @@ public:
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
     const std::vector<PlotLine>& lines() const { return m_lines; }
+    bool isHidden(const PlotLine& line) const { return m_hidden.contains(line.id); }
+    /// Where a value is drawn, and a name in the legend; for tests.
+    QPointF placeOf(const QPointF& value) const;
+    QRectF legendArea(std::size_t line) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
-    struct Axis {
-        double begin = 0;
-        double end = 1;
-        double step = 1; ///< between labels
-    };
-
-    Axis fitted(double lowest, double highest, double labels) const;
     void fitAxes();
     QRectF area() const;
-    QPointF pixelOf(const QPointF& value) const;
+    QFont titleFont() const;
     void paintGrid(QPainter& painter) const;
     void paintLines(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
@@ -63,12 +67,10 @@ private:
     Quantity m_quantity = Quantity::Number;
     QString m_title;
     QString m_hint;
-    Axis m_x;
-    Axis m_y;
-    std::optional<double> m_cursor; ///< x of the mouse [pixels]
+    PlotAxis m_x;
+    PlotAxis m_y;
+    std::set<std::uint64_t> m_hidden; ///< ids of lines
+    std::optional<double> m_cursor;   ///< x of the mouse [pixels]
 };
-
-/// A round number of 1, 2 or 5 times a power of ten, not below `least`. @pre least > 0
-double roundStep(double least);
 
 } // namespace knead

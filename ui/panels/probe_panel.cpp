@@ -188,7 +188,10 @@ PlotLine ProbePanel::lineOf(const Probe& probe) const
 {
     const QuantityLook& look = quantityLooks()[static_cast<std::size_t>(quantity())];
     const bool isForce = quantity() == ProbeQuantity::force;
-    PlotLine line{isForce ? tr("All tools") : tr("Probe %1").arg(probe.number), probe.color, {}};
+    PlotLine line{isForce ? tr("All tools") : tr("Probe %1").arg(probe.number),
+                  probe.color,
+                  {},
+                  static_cast<std::uint64_t>(probe.number)};
     line.points.reserve(probe.samples.size());
     for (const ProbeSample& sample : probe.samples)
         line.points.emplace_back(sample.time, sample.*look.value);

@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_axis.h"
 
 #include "ui/document/entry_names.h"
+#include "ui/panels/plot_axis.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -22,16 +23,6 @@ constexpr int tickHeight = 18;   // [px]
 constexpr int grabReach = 5;     // [px]
 constexpr int tickSpacing = 70;  // at least, between numbers [px]
 constexpr double shortest = 0.1; // the axis is never shorter [s]
-
-/// 1, 2 or 5 times a power of ten.
-double niceStep(double atLeast)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(atLeast)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= atLeast)
-            return factor * power;
-    return 10 * power;
-}
 
 QPainterPath star(const QPointF& center, double radius)
 {
@@ -120,15 +111,13 @@ void TimelineAxis::paintRuler(QPainter& painter) const
     QFont font = painter.font();
     font.setPointSizeF(0.85 * font.pointSizeF());
     painter.setFont(font);
-    const double perSecond = std::max(1, width() - 2 * margin) / shownLength();
-    const double step = niceStep(tickSpacing / perSecond);
-    const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    for (int i = 0; i * step <= shownLength() + 1e-9; ++i) {
-        const int x = placeOf(i * step).x();
+    const PlotAxis axis = PlotAxis::between(0, shownLength(), 1.0 * (width() - 2 * margin) / tickSpacing);
+    for (const double at : axis.labels()) {
+        const int x = placeOf(at).x();
         painter.setPen(palette().color(QPalette::Mid));
         painter.drawLine(QPointF(x + 0.5, rulerHeight), QPointF(x + 0.5, height() - 4));
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        const QString text = i == 0 ? tr("0 s") : QString::number(i * step, 'f', digits);
+        const QString text = at == 0 ? tr("0 s") : QString::number(at, 'f', axis.decimals());
         const int textWidth = painter.fontMetrics().horizontalAdvance(text);
         painter.drawText(std::clamp(x - textWidth / 2, 1, width() - textWidth - 1), rulerHeight - 4, text);
     }

@@ -1,5 +1,7 @@
 #include "ui/viewport/color_scale.h"
 
+#include "ui/round_number.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -30,27 +32,13 @@ const Look& lookOf(SurfaceQuantity quantity)
     return looks[static_cast<std::size_t>(quantity)];
 }
 
-/// The least of the steps 1, 2, 2.5 and 5 times a power of ten that is not below a length.
-double roundStep(double length)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(length)));
-    for (const double digit : {1.0, 2.0, 2.5, 5.0})
-        if (digit * power >= length * (1 - 1e-9))
-            return digit * power;
-    return 10 * power;
-}
-
 } // namespace
 
 double roundedUp(double value)
 {
     if (!(value > 0) || !std::isfinite(value))
         return 0;
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double digits : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
-        if (digits * power >= value * (1 - 1e-6))
-            return digits * power;
-    return 10 * power;
+    return roundUp(value, {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}, 1e-6);
 }
 
 QString nameOf(SurfaceQuantity quantity)
@@ -100,7 +88,7 @@ ScaleText textOf(const ColorScale& scale)
     if (scale.errorShare >= leastError)
         text.title = QCoreApplication::translate("ColorScale", "%1, about ±%2 %")
                          .arg(text.title, QString::number(100 * scale.errorShare, 'g', 2));
-    const double step = roundStep((scale.most - scale.least) / unit.scale / mostSteps);
+    const double step = roundUp((scale.most - scale.least) / unit.scale / mostSteps, {1.0, 2.0, 2.5, 5.0});
     const double first = std::ceil(scale.least / unit.scale / step - 1e-6);
     for (double i = first; i * step * unit.scale <= scale.most + 1e-6 * (scale.most - scale.least); ++i) {
         const double value = i * step;

@@ -1,5 +1,6 @@
 #include "ui/viewport/grid_actor.h"
 
+#include "ui/round_number.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
@@ -68,7 +69,7 @@ GridActor::~GridActor()
 
 void GridActor::lay(const Box& box, double height, const Color& color)
 {
-    const double step = roundLength(box.sizes().maxCoeff() / 5);
+    const double step = 1 / roundUp(5 / box.sizes().maxCoeff()); // 1, 2 or 5 times a power of ten, not above a fifth
     const double reach = step * halfLines;
     const Vec3 middle(step * std::round(box.center().x() / step), step * std::round(box.center().y() / step),
                       height - sunk * step);
@@ -113,15 +114,6 @@ void GridActor::comeLast()
         return;
     m_parts->renderer->RemoveActor(m_parts->actor);
     m_parts->renderer->AddActor(m_parts->actor);
-}
-
-double roundLength(double length)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(length)));
-    for (const double factor : {5.0, 2.0})
-        if (length >= factor * power)
-            return factor * power;
-    return power;
 }
 
 } // namespace knead

@@ -27,7 +27,4 @@ private:
     std::unique_ptr<Parts> m_parts;
 };
 
-/// 1, 2 or 5 times a power of ten, the nearest below.
-double roundLength(double length);
-
 } // namespace knead

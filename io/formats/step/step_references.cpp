@@ -22,12 +22,6 @@ namespace knead {
 
 namespace {
 
-bool isStepName(const std::string& name)
-{
-    const std::string ending = lowerCaseEnding(name);
-    return ending == "stp" || ending == "step" || ending == "p21";
-}
-
 Message missingWords(const std::vector<std::string>& names)
 {
     constexpr std::size_t mostNamed = 5;
@@ -60,7 +54,7 @@ Message checkReferredFiles(const STEPControl_Reader& reader, const std::string& 
     for (const std::string& name : names) {
         control.throwIfCancelled();
         const std::filesystem::path file = folder / name;
-        if (!isStepName(name))
+        if (!isNamedAs(FormatKind::Step, name))
             continue; // a drawing or another document, which holds no parts
         std::error_code error;
         if (!std::filesystem::is_regular_file(file, error))

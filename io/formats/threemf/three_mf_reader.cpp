@@ -165,7 +165,7 @@ public:
         load();
         DWORD unit = 0;
         check(NMR::lib3mf_model_getunit(m_library.get(), &unit));
-        m_model.format = formatName(FormatKind::ThreeMf);
+        m_model.format = formatOf(FormatKind::ThreeMf).name;
         m_model.unit = unitName(unit);
         m_metres = findLengthUnit(m_model.unit)->metres;
         const std::string stem = readableName(std::string_view(std::filesystem::path(m_path).stem().string()));
