@@ -17,7 +17,7 @@ namespace knead {
 namespace {
 
 /// How far a recipe is.
-struct Place {
+struct PlaceInRecipe {
     RecipeProgress::Mark mark;
     bool hasEnded = false;
 };
@@ -34,13 +34,13 @@ MomentKey keyOf(const Moment& moment, std::uint64_t hash)
 /// How far it was where gestures ended. Any thread.
 class Places {
 public:
-    void keep(const MomentKey& moment, const Place& place)
+    void keep(const MomentKey& moment, const PlaceInRecipe& place)
     {
         const std::lock_guard lock(m_mutex);
         m_places[moment] = place;
     }
 
-    std::optional<Place> at(const MomentKey& moment) const
+    std::optional<PlaceInRecipe> at(const MomentKey& moment) const
     {
         const std::lock_guard lock(m_mutex);
         const auto found = m_places.find(moment);
@@ -49,7 +49,7 @@ public:
 
 private:
     mutable std::mutex m_mutex;
-    std::map<MomentKey, Place> m_places;
+    std::map<MomentKey, PlaceInRecipe> m_places;
 };
 
 class RecipeScript final : public ScriptedEvents {
@@ -79,7 +79,7 @@ public:
 
     void wentTo(const Moment& moment, std::uint64_t hash) override
     {
-        const std::optional<Place> place = m_places->at(keyOf(moment, hash));
+        const std::optional<PlaceInRecipe> place = m_places->at(keyOf(moment, hash));
         m_progress.goTo(moment, place ? std::optional(place->mark) : std::nullopt);
         m_hasEnded = place && place->hasEnded;
         m_known = 0;

@@ -480,6 +480,33 @@
     </message>
 </context>
 <context>
+    <name>Balance</name>
+    <message>
+        <source>Load step %1: %2</source>
+        <translation>Lastschritt %1: %2</translation>
+    </message>
+    <message>
+        <source>The body</source>
+        <translation>Der Körper</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Ein Körper kann sich frei bewegen: festhalten oder die Zeit laufen lassen (dynamic), bis er auf etwas ruht.</translation>
+    </message>
+    <message>
+        <source>A load step takes more than 0 and up to 3600 s.</source>
+        <translation>Ein Lastschritt dauert mehr als 0 und höchstens 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 ist starr und kann sich frei bewegen: festhalten, verformbar machen oder die Zeit laufen lassen (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen (dynamic).</translation>
+    </message>
+</context>
+<context>
     <name>Banner</name>
     <message>
         <source>Close</source>
@@ -669,6 +696,21 @@
     <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
+    </message>
+</context>
+<context>
+    <name>Cut</name>
+    <message>
+        <source>A cut needs a plane: a point, and a normal that is not zero.</source>
+        <translation>Ein Schnitt braucht eine Ebene: einen Punkt und eine Normale, die nicht null ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
+        <translation>&quot;%1&quot; ist starr und wird nicht geschnitten. Machen Sie es zuerst verformbar.</translation>
+    </message>
+    <message>
+        <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
+        <translation>Die Ebene trifft nichts von &quot;%1&quot;, das sich schneiden ließe.</translation>
     </message>
 </context>
 <context>
@@ -1171,6 +1213,317 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>&quot;%1&quot; is cut into or cracked, but in one piece: it gapes by %2 mm.</source>
+        <translation>„%1“ ist angeschnitten oder hat Risse, ist aber noch ein Stück: der Spalt ist %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>a cut or crack ends in it, whose sides are no faces of the part.</source>
+        <translation>ein Schnitt oder Riss endet darin, dessen Seiten keine Flächen des Teils sind.</translation>
+    </message>
+    <message>
+        <source>it was filled anew before: its fields are left out.</source>
+        <translation>es wurde zuvor neu gefüllt: seine Felder sind weggelassen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>„%1“ hat Risse, ist aber noch ein Stück: 1 Verbindung ist gerissen, und die Haut überspannt den Riss, bei %3 auf das %2-Fache ihrer Länge gedehnt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>„%1“ hat Risse, ist aber noch ein Stück: %2 Verbindungen sind gerissen, und die Haut überspannt den Riss, bei %4 auf das %3-Fache ihrer Länge gedehnt.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>aus seinen Rissen ließen sich keine Flächen machen: andere Stücke davon werden mit ihm als eines geschrieben; Objekte darin: %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>Stücke, die zu klein für eine eigene Form sind, werden als Teil davon geschrieben; Objekte darin: %1.</translation>
+    </message>
+    <message>
+        <source>cracks end in it, and its skin spans them; connections broken there: %1.</source>
+        <translation>Risse enden darin, und die Haut überspannt sie; dort gerissene Verbindungen: %1.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>das Teil ist zerrissen; dies ist eines von %1 Stücken.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>zu wenige seiner Objekte hängen zusammen, um zu sagen, wie es verformt ist: es wird in seiner Ruheform geschrieben, bewegt wie sie.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 seiner Flächen konnten nicht mitgeführt werden: %2.</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>so gebogen passen seine Flächen nicht mehr aneinander.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>1 Fläche kam hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>%1 Flächen kamen hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>„%1“: Fläche %2 besteht aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>„%1“: Flächen %2 bestehen aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>„%1“: Fläche %2 kommt der Haut nicht so nahe wie angestrebt, %3 mm; Fläche %4 liegt %5 mm daneben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>„%1“: %2 Flächen, %3, kommen der Haut nicht so nahe wie angestrebt, %4 mm; Fläche %5 liegt %6 mm daneben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>„%1“ bräuchte %2 ebene Flächen, mehr als CAD-Programme verarbeiten; exportieren Sie es als Netz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; blenden Sie es aus oder exportieren Sie als Netz.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>es kam als Netz, das keine glatten Flächen hat.</translation>
+    </message>
+    <message>
+        <source>its faces could not be cut where the knife went.</source>
+        <translation>seine Flächen ließen sich nicht dort schneiden, wo das Messer ging.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>andere Programme lesen es vielleicht von innen nach außen gekehrt, wie es hier zurückkam.</translation>
+    </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>seine Flächen wurden nicht so wiedergefunden, wie sie geschrieben wurden.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>Flächen, die glatt ineinander übergingen, treffen sich bei %1 nun in einem Winkel; eine kleinere Toleranz kann helfen.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Die Datei enthält %1 Teile, geschrieben wurden %2.</translation>
+    </message>
+    <message>
+        <source>The exact shapes of the parts are not complete; import the file again.</source>
+        <translation>Die exakten Formen der Teile sind nicht vollständig; importieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>seine gebogenen Flächen fanden sich in der zurückgelesenen Datei nicht wieder.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>aus der Datei zurückgelesen, sind seine gebogenen Flächen von innen nach außen gekehrt.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>aus der Datei zurückgelesen bestehen seine gebogenen Flächen die Geometrieprüfung nicht.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>aus der Datei zurückgelesen lassen seine gebogenen Flächen Lücken.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>aus der Datei zurückgelesen liegen seine flachen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>aus der Datei zurückgelesen liegen seine gebogenen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>aus der Datei zurückgelesen umschließen seine gebogenen Flächen ein Volumen, das um %1 % von dem der Haut abweicht.</translation>
+    </message>
+    <message>
+        <source>There is nothing to export.</source>
+        <translation>Es gibt nichts zu exportieren.</translation>
+    </message>
+    <message>
+        <source>The surface bounds no volume.</source>
+        <translation>Die Oberfläche umschließt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>seine Oberfläche durchdringt sich selbst bei %1; andere Programme lehnen das vielleicht ab.</translation>
+    </message>
+    <message>
+        <source>its material is folded over itself near %1</source>
+        <translation>sein Material ist bei %1 über sich selbst gefaltet</translation>
+    </message>
+    <message>
+        <source>%1, and so are its faces.</source>
+        <translation>%1, und damit auch seine Flächen.</translation>
+    </message>
+    <message>
+        <source>A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.</source>
+        <translation>Eine CAD-Datei kann nicht in %1 geschrieben werden; wählen Sie mm, cm, m, inch oder ft.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into STEP.</source>
+        <translation>Die Teile ließen sich nicht nach STEP übertragen.</translation>
+    </message>
+    <message>
+        <source>The STEP text could not be written.</source>
+        <translation>Der STEP-Text konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into IGES.</source>
+        <translation>Die Teile ließen sich nicht nach IGES übertragen.</translation>
+    </message>
+    <message>
+        <source>The IGES text could not be written.</source>
+        <translation>Der IGES-Text konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The BREP text could not be written.</source>
+        <translation>Der BREP-Text konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.</source>
+        <translation>die Oberfläche braucht mehr als die 4 GB, die eine GLB-Datei aufnehmen kann; exportieren Sie weniger Körper, oder als .gltf.</translation>
+    </message>
+    <message>
+        <source>the ending is none of %1; name the file after its format.</source>
+        <translation>die Endung ist keine von %1; benennen Sie die Datei nach ihrem Format.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; is not known; known are %2.</source>
+        <translation>die Längeneinheit „%1“ ist nicht bekannt; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>the surface of &quot;%1&quot; leads to infinity; go back to where it was whole and export again.</source>
+        <translation>die Oberfläche von „%1“ führt ins Unendliche; gehen Sie dahin zurück, wo sie heil war, und exportieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>there is no surface to write.</source>
+        <translation>es gibt keine Oberfläche, die geschrieben werden könnte.</translation>
+    </message>
+    <message>
+        <source>the surface has more than 2147483647 points or triangles, which the formats cannot count; export fewer bodies.</source>
+        <translation>die Oberfläche hat mehr als 2147483647 Punkte oder Dreiecke, die die Formate nicht zählen können; exportieren Sie weniger Körper.</translation>
+    </message>
+    <message>
+        <source>3MF does not know the length unit %1; choose one of um, mm, cm, inch, ft and m.</source>
+        <translation>3MF kennt die Längeneinheit %1 nicht; wählen Sie um, mm, cm, inch, ft oder m.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.</source>
+        <translation>die Oberfläche braucht mehr als die 4 GB, die eine 3MF-Datei aufnehmen kann; exportieren Sie weniger Körper.</translation>
+    </message>
+    <message>
+        <source>its border cannot be drawn in its parameters</source>
+        <translation>ihr Rand lässt sich in ihren Parametern nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>its border does not close in its parameters</source>
+        <translation>ihr Rand schließt sich in ihren Parametern nicht</translation>
+    </message>
+    <message>
+        <source>its border is too short to be divided</source>
+        <translation>ihr Rand ist zu kurz, um geteilt zu werden</translation>
+    </message>
+    <message>
+        <source>a face cannot be drawn: %1</source>
+        <translation>eine Fläche lässt sich nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>an edge does not end</source>
+        <translation>eine Kante endet nicht</translation>
+    </message>
+    <message>
+        <source>two of its edges are too short to be told apart</source>
+        <translation>zwei ihrer Kanten sind zu kurz, um unterschieden zu werden</translation>
+    </message>
+    <message>
+        <source>two of its points lie on each other</source>
+        <translation>zwei ihrer Punkte liegen aufeinander</translation>
+    </message>
+    <message>
+        <source>a triangle in its place has no width</source>
+        <translation>ein Dreieck an ihrer Stelle hat keine Breite</translation>
+    </message>
+    <message>
+        <source>too many triangles would be needed</source>
+        <translation>es wären zu viele Dreiecke nötig</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>eine Kante hat keine Kurve auf ihrer Fläche</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>die Kurve einer Kante auf ihrer Fläche passt nicht zu ihr</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>eine Fläche hat keine Geometrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>eine Fläche hat keinen Rand</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>eine Fläche ist entartet</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compressed: %1.</source>
+        <translation>Das Bild lässt sich nicht komprimieren: %1.</translation>
+    </message>
+    <message>
+        <source>there is no surface to draw.</source>
+        <translation>es gibt keine Oberfläche, die gezeichnet werden könnte.</translation>
+    </message>
+    <message>
+        <source>the picture must have from 1 to %1 pixels on each side.</source>
+        <translation>das Bild muss auf jeder Seite 1 bis %1 Pixel haben.</translation>
+    </message>
+    <message>
+        <source>the directions of view and of up must not be zero.</source>
+        <translation>die Richtungen des Blicks und von oben dürfen nicht null sein.</translation>
+    </message>
+    <message>
+        <source>the export asks for more memory than there is; export fewer parts at a time.</source>
+        <translation>der Export verlangt mehr Speicher, als es gibt; exportieren Sie weniger Teile auf einmal.</translation>
+    </message>
+    <message>
+        <source>smooth faces go into .step, .iges and .brep files only.</source>
+        <translation>glatte Flächen gehen nur in Dateien .step, .iges und .brep.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export fewer parts at a time, or with a larger tolerance.</source>
+        <translation>Nichts wurde geschrieben; exportieren Sie weniger Teile auf einmal, oder mit einer größeren Toleranz.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export the parts one by one to see which one it is, or as a mesh.</source>
+        <translation>Nichts wurde geschrieben; exportieren Sie die Teile einzeln, um zu sehen, welches es ist, oder als Netz.</translation>
+    </message>
+    <message>
+        <source>What to write could not be handed over; try again.</source>
+        <translation>Was zu schreiben war, konnte nicht übergeben werden; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>there is nothing to export.</source>
+        <translation>es gibt nichts zu exportieren.</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Smooth trimmed faces, one for each face of the part as it was opened, at the places where the material has them now. The file is read back and compared.</source>
@@ -1400,339 +1753,42 @@
     </message>
 </context>
 <context>
-    <name>FileWords</name>
+    <name>File</name>
     <message>
-        <source>was inside out and has been turned.</source>
-        <translation>war umgestülpt und wurde gewendet.</translation>
+        <source>the file cannot be written (%1); choose another place or make room.</source>
+        <translation>die Datei kann nicht geschrieben werden (%1); wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
-        <translation>ist keine geschlossene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+        <source>%1: no such file.</source>
+        <translation>%1: eine solche Datei gibt es nicht.</translation>
     </message>
     <message>
-        <source>is an open surface: %1. It is shown and cannot be filled.</source>
-        <translation>ist eine offene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+        <source>%1: this is a folder; name a file.</source>
+        <translation>%1: das ist ein Ordner; nennen Sie eine Datei.</translation>
     </message>
     <message>
-        <source>is not closed: %1. It is shown and cannot be filled.</source>
-        <translation>ist nicht geschlossen: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+        <source>%1: the file cannot be read; check its permissions.</source>
+        <translation>%1: die Datei kann nicht gelesen werden; prüfen Sie ihre Rechte.</translation>
     </message>
     <message>
-        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
-        <translation>ist eine geschlossene Fläche, aber kein Körper; es wird gezeigt und kann nicht gefüllt werden.</translation>
+        <source>There is no folder for temporary files; set TMPDIR to one you may write to.</source>
+        <translation>Es gibt keinen Ordner für temporäre Dateien; setzen Sie TMPDIR auf einen, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
-        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
-        <translation>konnte nicht mit einem geschlossenen Netz aus Dreiecken überzogen werden; es kann nicht gefüllt werden.</translation>
+        <source>%1: no temporary file can be made there (%2).</source>
+        <translation>%1: dort lässt sich keine temporäre Datei anlegen (%2).</translation>
     </message>
     <message>
-        <source>has no volume; it cannot be filled.</source>
-        <translation>hat kein Volumen; es kann nicht gefüllt werden.</translation>
+        <source>The folder for temporary files takes no more; make room there, or set TMPDIR to another folder (%1).</source>
+        <translation>Der Ordner für temporäre Dateien nimmt nichts mehr auf; schaffen Sie dort Platz oder setzen Sie TMPDIR auf einen anderen (%1).</translation>
     </message>
     <message>
-        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
-        <translation>besteht die Prüfungen der Geometrie nicht; sehen Sie genau hin, bevor Sie ihm trauen.</translation>
+        <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
+        <translation>%1: der Ordner für temporäre Dateien nimmt nichts mehr auf (%2); schaffen Sie dort Platz oder setzen Sie TMPDIR auf einen anderen.</translation>
     </message>
-    <message>
-        <source>has gaps of up to %1, a hundredth of its size or more.</source>
-        <translation>hat Spalte bis zu %1, ein Hundertstel seiner Größe oder mehr.</translation>
-    </message>
-    <message>
-        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
-        <translation>hat Flächen, die nicht gut zusammentreffen: sein Volumen ist um %1 unsicher.</translation>
-    </message>
-    <message>
-        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
-        <translation>hat 1 Fläche, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
-    </message>
-    <message>
-        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
-        <translation>hat %1 Flächen, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
-    </message>
-    <message>
-        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
-        <translation>ist unvollständig: %1 von %2 Flächen einer Schale konnten gelesen werden; die anderen sind in der Datei beschädigt.</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
-        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
-        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4 und ist eben</translation>
-    </message>
-    <message>
-        <source>1 open edge</source>
-        <translation>1 offene Kante</translation>
-    </message>
-    <message>
-        <source>%1 open edges</source>
-        <translation>%1 offene Kanten</translation>
-    </message>
-    <message>
-        <source>1 border</source>
-        <translation>1 Rand</translation>
-    </message>
-    <message>
-        <source>%1 borders</source>
-        <translation>%1 Rändern</translation>
-    </message>
-    <message>
-        <source>1 triangle was there twice and removed.</source>
-        <translation>1 Dreieck war doppelt da und wurde entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 triangles were there twice and removed.</source>
-        <translation>%1 Dreiecke waren doppelt da und wurden entfernt.</translation>
-    </message>
-    <message>
-        <source>The surface was given with both its sides; one of them was removed.</source>
-        <translation>Die Fläche war mit beiden Seiten gegeben; eine davon wurde entfernt.</translation>
-    </message>
-    <message>
-        <source>1 pair of triangles back to back was removed.</source>
-        <translation>1 Paar von Dreiecken Rücken an Rücken wurde entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 pairs of triangles back to back were removed.</source>
-        <translation>%1 Paare von Dreiecken Rücken an Rücken wurden entfernt.</translation>
-    </message>
-    <message>
-        <source>1 triangle faced the wrong way and was turned.</source>
-        <translation>1 Dreieck sah in die falsche Richtung und wurde gewendet.</translation>
-    </message>
-    <message>
-        <source>%1 triangles faced the wrong way and were turned.</source>
-        <translation>%1 Dreiecke sahen in die falsche Richtung und wurden gewendet.</translation>
-    </message>
-    <message>
-        <source>1 small hole was closed, which added %1 to the area.</source>
-        <translation>1 kleines Loch wurde geschlossen, was die Oberfläche um %1 vergrößerte.</translation>
-    </message>
-    <message>
-        <source>%1 small holes were closed, which added %2 to the area.</source>
-        <translation>%1 kleine Löcher wurden geschlossen, was die Oberfläche um %2 vergrößerte.</translation>
-    </message>
-    <message>
-        <source>The surface was inside out and has been turned.</source>
-        <translation>Die Fläche war umgestülpt und wurde gewendet.</translation>
-    </message>
-    <message>
-        <source>The solid was inside out and has been turned.</source>
-        <translation>Der Körper war umgestülpt und wurde gewendet.</translation>
-    </message>
-    <message>
-        <source>1 shell was inside out and turned.</source>
-        <translation>1 Schale war umgestülpt und wurde gewendet.</translation>
-    </message>
-    <message>
-        <source>%1 shells were inside out and turned.</source>
-        <translation>%1 Schalen waren umgestülpt und wurden gewendet.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid.</source>
-        <translation>Die geschlossene Fläche wurde zum Körper gemacht.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with 1 void in it.</source>
-        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit 1 Hohlraum darin.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with %1 voids in it.</source>
-        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit %1 Hohlräumen darin.</translation>
-    </message>
-    <message>
-        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
-        <translation>1 ebene Öffnung wurde mit einer ebenen Fläche geschlossen, %1 % der Oberfläche.</translation>
-    </message>
-    <message>
-        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
-        <translation>%1 ebene Öffnungen wurden mit ebenen Flächen geschlossen, %2 % der Oberfläche.</translation>
-    </message>
-    <message>
-        <source>Edges that failed the geometry checks were rebuilt.</source>
-        <translation>Kanten, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
-    </message>
-    <message>
-        <source>1 face that failed the geometry checks was rebuilt.</source>
-        <translation>1 Fläche, die die Prüfungen der Geometrie nicht bestand, wurde neu gebaut.</translation>
-    </message>
-    <message>
-        <source>%1 faces that failed the geometry checks were rebuilt.</source>
-        <translation>%1 Flächen, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1.</source>
-        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2.</source>
-        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
-        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht; der weiteste Spalt zwischen zweien ist %2.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
-        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht; der weiteste Spalt zwischen zweien ist %3.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
-        <translation>%1: die 3MF-Datei hält sich an 1 Stelle nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
-        <translation>%1: die 3MF-Datei hält sich an %2 Stellen nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
-    </message>
-    <message>
-        <source>%1: the file states no length unit; millimetres were taken.</source>
-        <translation>%1: die Datei nennt keine Längeneinheit; Millimeter wurden genommen.</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
-        <translation>%1: das Element %2 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Flächen: %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
-        <translation>%1: das Element %2 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Formen: %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
-        <translation>%1: das Element %2 und %3 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Flächen: %4).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
-        <translation>%1: das Element %2 und %3 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Formen: %4).</translation>
-    </message>
-    <message>
-        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
-        <translation>die Baugruppe verweist auf die Datei %1, die es dort nicht gibt: ihre Teile fehlen. Legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
-    </message>
-    <message>
-        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
-        <translation>die Baugruppe verweist auf %1 Dateien, die es dort nicht gibt: %2. Ihre Teile fehlen; legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
-        <translation>%1: der Leser stürzte über das ab, was die Datei neben ihren Formen sagt; diese wurden ohne Namen, Farben und Baugruppen gelesen, und ohne andere Dateien, auf die sie verweist.</translation>
-    </message>
-    <message>
-        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
-        <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; prüfen Sie die Größen der Teile.</translation>
-    </message>
-    <message>
-        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1: sein Schema &quot;%2&quot; ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
-        <translation>%1: das Teil ist %2 lang; wenn seine Längen %3 sind, ist es %4.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
-        <translation>%1: die Teile sind zusammen %2 lang; wenn ihre Längen %3 sind, sind sie %4.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
-        <translation>%1: das Teil ist %2 lang; wenn seine Längen %3 sind, ist es %4. Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
-        <translation>%1: die Teile sind zusammen %2 lang; wenn ihre Längen %3 sind, sind sie %4. Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>Zentimeter</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>Zoll</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>micrometres</source>
-        <translation>Mikrometer</translation>
-    </message>
-    <message>
-        <source>decimetres</source>
-        <translation>Dezimeter</translation>
-    </message>
-    <message>
-        <source>kilometres</source>
-        <translation>Kilometer</translation>
-    </message>
-    <message>
-        <source>miles</source>
-        <translation>Meilen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no triangles.</source>
-        <translation>&quot;%1&quot; hat keine Dreiecke.</translation>
-    </message>
-    <message>
-        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>1 Form der STEP-Datei konnte nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
-    </message>
-    <message>
-        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>%1 Formen der STEP-Datei konnten nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was left out: %2.</source>
-        <translation>&quot;%1&quot; wurde weggelassen: %2.</translation>
-    </message>
-    <message>
-        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
-        <translation>es hat keine endliche Größe: Zahlen darin sind beschädigt, oder seine Kanten sind kleiner als 0.1 um und verloren; prüfen Sie die Längeneinheit</translation>
-    </message>
-    <message>
-        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
-        <translation>es reicht weiter als 100 km vom Ursprung; prüfen Sie Längeneinheit und Lage</translation>
-    </message>
-    <message>
-        <source>its faces lead far away from their edges: numbers in it are damaged</source>
-        <translation>seine Flächen führen weit von ihren Kanten weg: Zahlen darin sind beschädigt</translation>
-    </message>
-    <message>
-        <source>it is smaller than a micrometre; check the length unit</source>
-        <translation>es ist kleiner als ein Mikrometer; prüfen Sie die Längeneinheit</translation>
-    </message>
-    <message>
-        <source>its faces and edges are up to %1 apart, at a size of %2</source>
-        <translation>seine Flächen und Kanten liegen bis zu %1 auseinander, bei einer Größe von %2</translation>
-    </message>
-    <message>
-        <source>the solid has no volume</source>
-        <translation>der Körper hat kein Volumen</translation>
-    </message>
-    <message>
-        <source>it could not be measured (%1)</source>
-        <translation>es konnte nicht gemessen werden (%1)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
-        <translation>&quot;%1&quot; hat keine Oberfläche und wird deshalb nicht gezeigt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>&quot;%1&quot; ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
-    </message>
+</context>
+<context>
+    <name>Filling</name>
     <message>
         <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
         <translation>Ein Abstand von %1 braucht mehr als %2 Objekte. Wählen Sie einen größeren Abstand.</translation>
@@ -1750,6 +1806,10 @@
         <translation>Die Oberfläche ist nicht geschlossen: %1 Kanten von Dreiecken haben keinen Partner. Schließen Sie die Lücken und importieren Sie erneut.</translation>
     </message>
     <message>
+        <source>A spacing of %1 cannot be used. Enter a length above 0.</source>
+        <translation>Ein Abstand von %1 ist nicht verwendbar. Geben Sie eine Länge über 0 ein.</translation>
+    </message>
+    <message>
         <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
         <translation>Die Oberfläche begrenzt kein Volumen: ihre Löcher sind zu groß, um innen von außen zu unterscheiden. Schließen Sie sie und importieren Sie erneut.</translation>
     </message>
@@ -1758,256 +1818,116 @@
         <translation>Das Teil ist zu dünn für einen Abstand von %1: keine Zelle enthält genug Material. Wählen Sie einen kleineren Abstand.</translation>
     </message>
     <message>
-        <source>its surface passes through itself near %1; other programs may refuse that.</source>
-        <translation>seine Oberfläche durchdringt sich selbst bei %1; andere Programme lehnen das vielleicht ab.</translation>
+        <source>The surface is not closed. Close it and try again.</source>
+        <translation>Die Oberfläche ist nicht geschlossen. Schließen Sie sie und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 of its faces could not be carried along: %2.</source>
-        <translation>%1 seiner Flächen konnten nicht mitgeführt werden: %2.</translation>
+        <source>The spacing must be greater than 0.</source>
+        <translation>Der Abstand muss größer als 0 sein.</translation>
     </message>
     <message>
-        <source>an edge has no curve on its face</source>
-        <translation>eine Kante hat keine Kurve auf ihrer Fläche</translation>
+        <source>The spacing is too small for a part of this size. Choose a larger one.</source>
+        <translation>Der Abstand ist zu klein für ein Teil dieser Größe. Wählen Sie einen größeren.</translation>
     </message>
     <message>
-        <source>an edge has a curve on its face that does not match it</source>
-        <translation>die Kurve einer Kante auf ihrer Fläche passt nicht zu ihr</translation>
-    </message>
-    <message>
-        <source>a face has no surface</source>
-        <translation>eine Fläche hat keine Geometrie</translation>
-    </message>
-    <message>
-        <source>a face has no border</source>
-        <translation>eine Fläche hat keinen Rand</translation>
-    </message>
-    <message>
-        <source>a face is degenerate</source>
-        <translation>eine Fläche ist entartet</translation>
-    </message>
-    <message>
-        <source>its faces do not fit together any more as they are bent now.</source>
-        <translation>so gebogen passen seine Flächen nicht mehr aneinander.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
-        <translation>„%1“: Fläche %2 kommt der Haut nicht so nahe wie angestrebt, %3 mm; Fläche %4 liegt %5 mm daneben.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
-        <translation>„%1“: %2 Flächen, %3, kommen der Haut nicht so nahe wie angestrebt, %4 mm; Fläche %5 liegt %6 mm daneben.</translation>
-    </message>
-    <message>
-        <source>it came as a mesh, which has no smooth faces.</source>
-        <translation>es kam als Netz, das keine glatten Flächen hat.</translation>
-    </message>
-    <message>
-        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
-        <translation>Flächen, die glatt ineinander übergingen, treffen sich bei %1 nun in einem Winkel; eine kleinere Toleranz kann helfen.</translation>
-    </message>
-    <message>
-        <source>The file holds %1 parts where %2 were written.</source>
-        <translation>Die Datei enthält %1 Teile, geschrieben wurden %2.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
-        <translation>„%1“ hat Risse, ist aber noch ein Stück: 1 Verbindung ist gerissen, und die Haut überspannt den Riss, bei %3 auf das %2-Fache ihrer Länge gedehnt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
-        <translation>„%1“ hat Risse, ist aber noch ein Stück: %2 Verbindungen sind gerissen, und die Haut überspannt den Riss, bei %4 auf das %3-Fache ihrer Länge gedehnt.</translation>
-    </message>
-    <message>
-        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
-        <translation>zu wenige seiner Objekte hängen zusammen, um zu sagen, wie es verformt ist: es wird in seiner Ruheform geschrieben, bewegt wie sie.</translation>
-    </message>
-    <message>
-        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
-        <translation>aus seinen Rissen ließen sich keine Flächen machen: andere Stücke davon werden mit ihm als eines geschrieben; Objekte darin: %1.</translation>
-    </message>
-    <message>
-        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
-        <translation>Stücke, die zu klein für eine eigene Form sind, werden als Teil davon geschrieben; Objekte darin: %1.</translation>
-    </message>
-    <message>
-        <source>its bent faces were not found again in the file when that was read back.</source>
-        <translation>seine gebogenen Flächen fanden sich in der zurückgelesenen Datei nicht wieder.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
-        <translation>Die Simulation wurde bei %1 s angehalten: %2 Sie ging auf %3 s zurück.</translation>
-    </message>
-    <message>
-        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
-        <translation>eine Lage ist keine Zahl mehr. %1 oder das Material weicher machen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
-        <translation>Objekte bewegten sich mit %1 m/s. %2 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>Make the tools slower</source>
-        <translation>Die Werkzeuge verlangsamen</translation>
-    </message>
-    <message>
-        <source>Lower gravity</source>
-        <translation>Die Schwerkraft verringern</translation>
-    </message>
-    <message>
-        <source>Move bodies and fixtures slower</source>
-        <translation>Körper und Einspannungen langsamer bewegen</translation>
-    </message>
-    <message>
-        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
-        <translation>Material von %1 wurde flach gedrückt oder umgestülpt. Weniger weit drücken, die Querkontraktionszahl oder die Fließgrenze erhöhen oder das Teil mit kleinerem Abstand füllen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>the body</source>
-        <translation>der Körper</translation>
-    </message>
-    <message>
-        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
-        <translation>Objekte von %1 bewegten sich mit %2 m/s, und nichts in der Szene macht sie schneller als %3 m/s. %4 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
-        <translation>%1 J kamen aus dem Nichts, von %2 J in der Szene: Die Schritte folgen dem Material nicht mehr. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
-        <translation>die Gleichungen von %1 Schritten nacheinander ließen sich nicht lösen, obwohl der letzte nur %2 s lang war. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
-        <translation>Das Werkzeug &quot;%1&quot; steckt %2 mm tief in %3: es außerhalb beginnen lassen, weniger weit drücken, es verlangsamen</translation>
-    </message>
-    <message>
-        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
-        <translation>Einen kürzeren Zeitschritt für die Massenskalierung wählen, die %1 % zur Masse hinzufügte</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
-        <translation>es ist nicht genug Speicher da, um fortzufahren. Andere Programme schließen oder das Teil mit größerem Abstand füllen, dann zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>%1 Reset, or go to an earlier moment.</source>
-        <translation>%1 Zurücksetzen oder zu einem früheren Augenblick gehen.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped: %1</source>
-        <translation>Die Simulation wurde angehalten: %1</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
-        <translation>Das Werkzeug &quot;%1&quot; beginnt %2 mm tief in %3, was mit großer Kraft und in sehr kurzen Schritten weggedrückt wird. Es außerhalb beginnen lassen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
-        <translation>&quot;%1&quot; zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
-    </message>
-    <message>
-        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
-        <translation>Die Gleichungen des Schrittes bei %1 s ließen sich nicht lösen: Kräfte und Lagen sind von dort an ungenau. Werkzeuge verlangsamen oder einen kürzeren Zeitschritt wählen.</translation>
-    </message>
-    <message>
-        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
-        <translation>der gewählte Zeitschritt von %1 s ist länger als der stabile von %2 s. Einen kürzeren wählen oder ein weicheres oder stärker gedämpftes Material.</translation>
-    </message>
-    <message>
-        <source>the part is torn; this is one of %1 pieces.</source>
-        <translation>das Teil ist zerrissen; dies ist eines von %1 Stücken.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
-        <translation>aus der Datei zurückgelesen bestehen seine gebogenen Flächen die Geometrieprüfung nicht.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces leave gaps.</source>
-        <translation>aus der Datei zurückgelesen lassen seine gebogenen Flächen Lücken.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>aus der Datei zurückgelesen liegen seine gebogenen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
-        <translation>aus der Datei zurückgelesen umschließen seine gebogenen Flächen ein Volumen, das um %1 % von dem der Haut abweicht.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
-        <translation>„%1“ bräuchte %2 ebene Flächen, mehr als CAD-Programme verarbeiten; exportieren Sie es als Netz.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
-        <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; blenden Sie es aus oder exportieren Sie als Netz.</translation>
-    </message>
-    <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3 % zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
+        <source>No sphere has its center inside the part. Choose a smaller spacing.</source>
+        <translation>Keine Kugel hat ihren Mittelpunkt im Teil. Wählen Sie einen kleineren Abstand.</translation>
     </message>
     <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
         <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich um ein Vielfaches zu steif. Ein Abstand von %3 gibt %4 Zellen, etwa %5 Objekte.</translation>
     </message>
     <message>
-        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
-        <translation>Die Energie stimmt um %1 % aller umgesetzten nicht. Einen kürzeren Zeitschritt wählen oder Werkzeuge langsamer machen.</translation>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3 % zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
     </message>
     <message>
-        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
-        <translation>Werkzeuge oder der Boden drangen %1 Abstände ins Material ein: Formen und Kräfte dort sind ungenau. Weniger weit drücken oder einen kleineren Abstand wählen.</translation>
+        <source>A point of the surface is nowhere.</source>
+        <translation>Ein Punkt der Oberfläche liegt nirgends.</translation>
     </message>
     <message>
-        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
-        <translation>Massenskalierung machte %1 % der Masse: was schwingt und was geworfen wird, ist langsamer, als es wäre. Einen kürzeren Zeitschritt dafür wählen.</translation>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; hat keine Oberfläche und wird deshalb nicht gezeigt.</translation>
     </message>
     <message>
-        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Ein Körper kann sich frei bewegen: festhalten oder die Zeit laufen lassen (dynamic), bis er auf etwas ruht.</translation>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 ist starr und kann sich frei bewegen: festhalten, verformbar machen oder die Zeit laufen lassen (dynamic).</translation>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
     </message>
     <message>
-        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen (dynamic).</translation>
+        <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>%1: die Datei enthält keinen Körper und keine Oberfläche; exportieren Sie das Teil als Körper.</translation>
     </message>
     <message>
-        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
-        <translation>%1: Eine gedrehte Fläche ist über ihre Naht hinweg begrenzt, und die Datei sagt nicht, auf welcher Seite ihres Randes sie liegt; das Volumen ihres Teils ist zu prüfen.</translation>
+        <source>%1: no closed body found. Close the surfaces in the CAD program and export again.</source>
+        <translation>%1: kein geschlossener Körper gefunden. Schließen Sie die Flächen im CAD-Programm und exportieren Sie erneut.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>1 Fläche kam hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+        <source>The spacing of another filling must be more than 0.</source>
+        <translation>Der Abstand einer anderen Füllung muss größer als 0 sein.</translation>
     </message>
     <message>
-        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>%1 Flächen kamen hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+        <source>&quot;%1&quot; has no surface that it could be filled from.</source>
+        <translation>&quot;%1&quot; hat keine Oberfläche, aus der es gefüllt werden könnte.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
-        <translation>„%1“: Fläche %2 besteht aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
+        <source>&quot;%1&quot; is arranged as published, which filling anew does not know.</source>
+        <translation>&quot;%1&quot; ist wie veröffentlicht angeordnet, was das Neufüllen nicht kennt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
-        <translation>„%1“: Flächen %2 bestehen aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
+        <source>&quot;%1&quot; is not deformable, and keeps its shape.</source>
+        <translation>&quot;%1&quot; ist nicht verformbar und behält seine Form.</translation>
     </message>
     <message>
-        <source>its faces were not found again as they were written.</source>
-        <translation>seine Flächen wurden nicht so wiedergefunden, wie sie geschrieben wurden.</translation>
+        <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
+        <translation>&quot;%1&quot; ist elastisch: es behält seine Ruheform und wird nicht neu gefüllt. Lassen Sie es fließen oder renormieren Sie es.</translation>
     </message>
     <message>
-        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>aus der Datei zurückgelesen liegen seine flachen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+        <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
+        <translation>&quot;%1&quot; hat Risse, die eine andere Füllung verwischen würde: nur was heilt, wird mit ihnen neu gefüllt.</translation>
     </message>
     <message>
-        <source>read back from the file, its bent faces are inside out.</source>
-        <translation>aus der Datei zurückgelesen, sind seine gebogenen Flächen von innen nach außen gekehrt.</translation>
+        <source>&quot;%1&quot; came apart after its skin was drawn out far: pieces of such a body are not filled anew.</source>
+        <translation>&quot;%1&quot; zerfiel, nachdem seine Haut weit ausgezogen worden war: Stücke eines solchen Körpers werden nicht neu gefüllt.</translation>
     </message>
     <message>
-        <source>other programs may read it inside out, as it came back here.</source>
-        <translation>andere Programme lesen es vielleicht von innen nach außen gekehrt, wie es hier zurückkam.</translation>
+        <source>&quot;%1&quot; has cracks that gape, which another filling would close.</source>
+        <translation>&quot;%1&quot; hat klaffende Risse, die eine andere Füllung schließen würde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
+        <translation>&quot;%1&quot; hat eine Last auf einem Quader, der nichts über die jetzige Form sagt. Setzen Sie sie auf Flächen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; moves out of all bounds.</source>
+        <translation>&quot;%1&quot; bewegt sich über alle Grenzen hinaus.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is still being pushed out of a tool that was put into it.</source>
+        <translation>&quot;%1&quot; wird noch aus einem Werkzeug hinausgedrückt, das hineingesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>its cracks gape, and would be filled.</source>
+        <translation>seine Risse klaffen und würden gefüllt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be filled anew: %2</source>
+        <translation>&quot;%1&quot; konnte nicht neu gefüllt werden: %2</translation>
+    </message>
+    <message>
+        <source>cracks touch the surface without crossing it</source>
+        <translation>Risse berühren die Oberfläche, ohne sie zu kreuzen</translation>
+    </message>
+    <message>
+        <source>what of it has grown together could not be followed back to what was opened.</source>
+        <translation>was davon zusammengewachsen ist, ließ sich nicht zu dem zurückverfolgen, was geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made surfaces.</source>
+        <translation>seine Risse ließen sich nicht zu Flächen machen.</translation>
     </message>
 </context>
 <context>
@@ -2027,6 +1947,29 @@
     <message>
         <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
         <translation>%1 kann nicht angelegt werden (%2). Wählen Sie einen anderen Namen für den Ordner der Bilder.</translation>
+    </message>
+</context>
+<context>
+    <name>Fixture</name>
+    <message>
+        <source>Fixture &quot;%1&quot; names a body that does not exist.</source>
+        <translation>Die Einspannung &quot;%1&quot; nennt einen Körper, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>There is no fixture number %1.</source>
+        <translation>Es gibt keine Einspannung Nummer %1.</translation>
+    </message>
+    <message>
+        <source>A fixture must not move faster than 100 m/s.</source>
+        <translation>Eine Einspannung darf sich nicht schneller als 100 m/s bewegen.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must turn about a place, by more than 0, and no faster than 10000 rad/s.</source>
+        <translation>Die Einspannung &quot;%1&quot; muss sich um einen Ort drehen, um mehr als 0 und nicht schneller als 10000 rad/s.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must not move faster than 100 m/s.</source>
+        <translation>Die Einspannung &quot;%1&quot; darf sich nicht schneller als 100 m/s bewegen.</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2288,161 @@
     </message>
 </context>
 <context>
+    <name>History</name>
+    <message>
+        <source>a number of an object is none</source>
+        <translation>eine Zahl eines Objekts ist keine</translation>
+    </message>
+    <message>
+        <source>a filling has no lattice</source>
+        <translation>eine Füllung hat kein Gitter</translation>
+    </message>
+    <message>
+        <source>a connection of a filling leads nowhere</source>
+        <translation>eine Verbindung einer Füllung führt nirgendwohin</translation>
+    </message>
+    <message>
+        <source>a filling is not as it can be</source>
+        <translation>eine Füllung ist so, wie sie nicht sein kann</translation>
+    </message>
+    <message>
+        <source>a former shape has too many before it</source>
+        <translation>einer früheren Form gehen zu viele voraus</translation>
+    </message>
+    <message>
+        <source>a former shape has no carriers</source>
+        <translation>eine frühere Form hat keine Träger</translation>
+    </message>
+    <message>
+        <source>a former shape is none</source>
+        <translation>eine frühere Form ist keine</translation>
+    </message>
+    <message>
+        <source>a former shape was parted where it could not be</source>
+        <translation>eine frühere Form wurde geteilt, wo es nicht sein kann</translation>
+    </message>
+    <message>
+        <source>it ends early</source>
+        <translation>die Daten enden zu früh</translation>
+    </message>
+    <message>
+        <source>a yes or no is neither</source>
+        <translation>ein Ja oder Nein ist keins von beiden</translation>
+    </message>
+    <message>
+        <source>a choice is none of those there are</source>
+        <translation>eine Auswahl ist keine von denen, die es gibt</translation>
+    </message>
+    <message>
+        <source>The history has no entries.</source>
+        <translation>Der Verlauf hat keine Einträge.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: its entry %1 follows one that comes later.</source>
+        <translation>Der Verlauf ist beschädigt: sein Eintrag %1 folgt auf einen, der später kommt.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: it is at an entry that it does not have.</source>
+        <translation>Der Verlauf ist beschädigt: er steht bei einem Eintrag, den er nicht hat.</translation>
+    </message>
+    <message>
+        <source>Repeating what was done came to another state than it did then, as it does with another version of Knead. Go to an entry that is kept.</source>
+        <translation>Zu wiederholen, was getan wurde, führte zu einem anderen Zustand als damals, wie es mit einer anderen Version von Knead geschieht. Gehen Sie zu einem Eintrag, der aufbewahrt ist.</translation>
+    </message>
+    <message>
+        <source>The project has no history: nothing was done in it yet that could be repeated.</source>
+        <translation>Das Projekt hat keinen Verlauf: darin wurde noch nichts getan, das sich wiederholen ließe.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: an entry begins with a start that is not there.</source>
+        <translation>Der Verlauf ist beschädigt: ein Eintrag beginnt mit einem Anfang, der nicht da ist.</translation>
+    </message>
+    <message>
+        <source>The entry before it was not reached.</source>
+        <translation>Der Eintrag davor wurde nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>it does not begin as one</source>
+        <translation>er beginnt nicht wie einer</translation>
+    </message>
+    <message>
+        <source>it was written by another version of Knead</source>
+        <translation>eine andere Version von Knead hat ihn geschrieben</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were written</source>
+        <translation>seine Bytes sind nicht die, die geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>This moment of the history cannot be read: %1. Go to an earlier one and repeat from there.</source>
+        <translation>Dieser Moment des Verlaufs ist nicht lesbar: %1. Gehen Sie zu einem früheren und wiederholen Sie von dort.</translation>
+    </message>
+    <message>
+        <source>it has another number of bodies than the scene</source>
+        <translation>er hat eine andere Zahl von Körpern als die Szene</translation>
+    </message>
+    <message>
+        <source>a tool cannot be simulated</source>
+        <translation>ein Werkzeug lässt sich nicht simulieren</translation>
+    </message>
+    <message>
+        <source>a fixture cannot be simulated</source>
+        <translation>eine Einspannung lässt sich nicht simulieren</translation>
+    </message>
+    <message>
+        <source>a load cannot be simulated</source>
+        <translation>eine Last lässt sich nicht simulieren</translation>
+    </message>
+    <message>
+        <source>a re-normalization under way is out of range</source>
+        <translation>eine laufende Renormierung liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>a contact or joint is out of range</source>
+        <translation>ein Kontakt oder eine Verklebung liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>eine Zahl liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>a material is out of range</source>
+        <translation>ein Material liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>objects are not where they can be</source>
+        <translation>Objekte sind, wo sie nicht sein können</translation>
+    </message>
+    <message>
+        <source>a mass is out of range</source>
+        <translation>eine Masse liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>connections are not as they can be</source>
+        <translation>Verbindungen sind so, wie sie nicht sein können</translation>
+    </message>
+    <message>
+        <source>it goes on after its end</source>
+        <translation>die Daten gehen nach ihrem Ende weiter</translation>
+    </message>
+    <message>
+        <source>a tool is made of a part that the document does not have</source>
+        <translation>ein Werkzeug besteht aus einem Teil, das das Dokument nicht hat</translation>
+    </message>
+    <message>
+        <source>a motion is none of those there are</source>
+        <translation>eine Bewegung ist keine von denen, die es gibt</translation>
+    </message>
+    <message>
+        <source>The recording does not belong to this scene: it goes on at step %1, and the run is at step %2. Start from the scene it was made with.</source>
+        <translation>Die Aufzeichnung gehört nicht zu dieser Szene: sie geht bei Schritt %1 weiter, und der Lauf ist bei Schritt %2. Beginnen Sie mit der Szene, mit der sie entstand.</translation>
+    </message>
+    <message>
+        <source>The moment belongs to other bodies than these. Nothing was changed.</source>
+        <translation>Der Moment gehört zu anderen Körpern als diesen. Nichts wurde geändert.</translation>
+    </message>
+</context>
+<context>
     <name>HistoryPanel</name>
     <message>
         <source>%1 kB</source>
@@ -2456,6 +2554,484 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Begin with an example</source>
         <translation>Mit einem Beispiel beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>Iges</name>
+    <message>
+        <source>line %1 of the IGES file is not in 80 columns; the file is damaged, get it again.</source>
+        <translation>Zeile %1 der IGES-Datei steht nicht in 80 Spalten; die Datei ist beschädigt, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the IGES file ends before its last line (T); it is cut off, get it again.</source>
+        <translation>die IGES-Datei endet vor ihrer letzten Zeile (T); sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the IGES file lacks lines of its section %1; it is damaged, get it again.</source>
+        <translation>der IGES-Datei fehlen Zeilen ihres Abschnitts %1; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>a text in the IGES file claims to be %1 letters long, more than there are; the file is damaged.</source>
+        <translation>ein Text in der IGES-Datei will %1 Zeichen lang sein, mehr als es gibt; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>the IGES file has &quot;%1&quot; in place of a number; it is damaged, export it again.</source>
+        <translation>in der IGES-Datei steht „%1“ an der Stelle einer Zahl; sie ist beschädigt, exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>an entity of type %1 in the IGES file claims %2 values and has %3; the file is damaged.</source>
+        <translation>ein Element vom Typ %1 in der IGES-Datei gibt %2 Werte an und hat %3; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>line %1 of section D of the IGES file has another number; lines are lost, get the file again.</source>
+        <translation>Zeile %1 im Abschnitt D der IGES-Datei hat eine andere Nummer; Zeilen sind verloren, besorgen Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has its values twice</source>
+        <translation>hat seine Werte zweimal</translation>
+    </message>
+    <message>
+        <source>is of another type where its values are</source>
+        <translation>ist dort, wo seine Werte stehen, von anderem Typ</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file holds itself, or the entities are nested more than %2 deep; export it again.</source>
+        <translation>Element %1 der IGES-Datei enthält sich selbst, oder die Elemente sind mehr als %2-fach verschachtelt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>refers to one without values</source>
+        <translation>verweist auf eines ohne Werte</translation>
+    </message>
+    <message>
+        <source>refers to a vertex or edge that is not there</source>
+        <translation>verweist auf einen Eckpunkt oder eine Kante, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has %1 values where %2 are needed</source>
+        <translation>hat %1 Werte, wo %2 nötig sind</translation>
+    </message>
+    <message>
+        <source>states an impossible count</source>
+        <translation>nennt eine unmögliche Anzahl</translation>
+    </message>
+    <message>
+        <source>refers to something of the wrong kind or nothing at all</source>
+        <translation>verweist auf etwas Falsches oder auf nichts</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file (type %2) %3; the file is damaged, export it again.</source>
+        <translation>Element %1 der IGES-Datei (Typ %2) %3; die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>Import</name>
+    <message>
+        <source>the file asks for more memory than there is; it is damaged or far too detailed.</source>
+        <translation>die Datei verlangt mehr Speicher, als es gibt; sie ist beschädigt oder viel zu ausführlich.</translation>
+    </message>
+    <message>
+        <source>the CAD reader gave up (%1); the file is damaged, export it again.</source>
+        <translation>der CAD-Leser gab auf (%1); die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the assembly is nested more than %1 levels deep; export a part of it.</source>
+        <translation>die Baugruppe ist mehr als %1 Ebenen tief verschachtelt; exportieren Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>the assembly has more than %1 parts; export the parts you need.</source>
+        <translation>die Baugruppe hat mehr als %1 Teile; exportieren Sie die Teile, die Sie brauchen.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; prüfen Sie die Größen der Teile.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1: sein Schema &quot;%2&quot; ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
+    </message>
+    <message>
+        <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
+        <translation>der STEP-Text hat Fehler, über die der Leser nicht hinwegkommt; exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>an assembly in the file holds itself; export the file again, or its parts one by one.</source>
+        <translation>eine Baugruppe in der Datei enthält sich selbst; exportieren Sie die Datei noch einmal, oder ihre Teile einzeln.</translation>
+    </message>
+    <message>
+        <source>the assembly unfolds to more than %1 parts; export the parts you need.</source>
+        <translation>die Baugruppe entfaltet sich zu mehr als %1 Teilen; exportieren Sie die Teile, die Sie brauchen.</translation>
+    </message>
+    <message>
+        <source>no shape of the STEP file could be made; export the file again.</source>
+        <translation>aus der STEP-Datei ließ sich keine Form machen; exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the IGES text has errors that the reader cannot get over; export the file again, best as STEP.</source>
+        <translation>der IGES-Text hat Fehler, über die der Leser nicht hinwegkommt; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+    </message>
+    <message>
+        <source>no shape of the IGES file could be made; export the file again, best as STEP.</source>
+        <translation>aus der IGES-Datei ließ sich keine Form machen; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged; get it again.</source>
+        <translation>die BREP-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the BREP file is damaged, or newer than the reader; save it again in an older version.</source>
+        <translation>die BREP-Datei ist beschädigt oder neuer als der Leser; speichern Sie sie noch einmal in einer älteren Version.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Der Körper war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>hat Flächen, die nicht gut zusammentreffen: sein Volumen ist um %1 unsicher.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>ist eine offene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>ist nicht geschlossen: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>ist eine geschlossene Fläche, aber kein Körper; es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>konnte nicht mit einem geschlossenen Netz aus Dreiecken überzogen werden; es kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>besteht die Prüfungen der Geometrie nicht; sehen Sie genau hin, bevor Sie ihm trauen.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>hat Spalte bis zu %1, ein Hundertstel seiner Größe oder mehr.</translation>
+    </message>
+    <message>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>hat 1 Fläche, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
+    </message>
+    <message>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>hat %1 Flächen, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
+    </message>
+    <message>
+        <source>there is no part or assembly &quot;%1&quot; in it; knead info --json lists the paths of all parts.</source>
+        <translation>darin gibt es kein Teil und keine Baugruppe „%1“; knead info --json nennt die Pfade aller Teile.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>es hat keine endliche Größe: Zahlen darin sind beschädigt, oder seine Kanten sind kleiner als 0.1 um und verloren; prüfen Sie die Längeneinheit</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>es reicht weiter als 100 km vom Ursprung; prüfen Sie Längeneinheit und Lage</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>seine Flächen führen weit von ihren Kanten weg: Zahlen darin sind beschädigt</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>es ist kleiner als ein Mikrometer; prüfen Sie die Längeneinheit</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>seine Flächen und Kanten liegen bis zu %1 auseinander, bei einer Größe von %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>der Körper hat kein Volumen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; wurde weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>die Datei enthält keinen Körper und keine Fläche; exportieren Sie das Teil als Körper.</translation>
+    </message>
+    <message>
+        <source>%1 Of %2 parts like that none is left.</source>
+        <translation>%1 Von %2 solchen Teilen ist keines übrig.</translation>
+    </message>
+    <message>
+        <source>this version of BREP is unknown (&quot;%1&quot;); save the file in an older version.</source>
+        <translation>diese Version von BREP ist unbekannt („%1“); speichern Sie die Datei in einer älteren Version.</translation>
+    </message>
+    <message>
+        <source>the BREP file states an impossible number of %1; it is damaged, get it again.</source>
+        <translation>die BREP-Datei nennt eine unmögliche Anzahl für %1; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged: sections are missing; get it again.</source>
+        <translation>die BREP-Datei ist abgeschnitten oder beschädigt: Abschnitte fehlen; besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened; check that you may read it.</source>
+        <translation>die Datei lässt sich nicht öffnen; prüfen Sie, ob Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; the disk or the connection to it failed.</source>
+        <translation>die Datei kann nicht gelesen werden; die Platte oder die Verbindung zu ihr versagte.</translation>
+    </message>
+    <message>
+        <source>the file does not exist.</source>
+        <translation>die Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened (%1).</source>
+        <translation>die Datei lässt sich nicht öffnen (%1).</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file.</source>
+        <translation>das ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file.</source>
+        <translation>das ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>this is a JSON text, but no glTF (&quot;asset&quot; is missing in it); export the part as STEP.</source>
+        <translation>das ist ein JSON-Text, aber kein glTF („asset“ fehlt darin); exportieren Sie das Teil als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a text, but none of %1; export the part as STEP.</source>
+        <translation>das ist ein Text, aber nichts von %1; exportieren Sie das Teil als STEP.</translation>
+    </message>
+    <message>
+        <source>the content is none of %1; export the part as STEP.</source>
+        <translation>der Inhalt ist nichts von %1; exportieren Sie das Teil als STEP.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>ist unvollständig: %1 von %2 Flächen einer Schale konnten gelesen werden; die anderen sind in der Datei beschädigt.</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>es konnte nicht gemessen werden (%1)</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive; unpack it and open the file inside.</source>
+        <translation>das ist ein gzip-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is a bzip2 archive; unpack it and open the file inside.</source>
+        <translation>das ist ein bzip2-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is a 7z archive; unpack it and open the file inside.</source>
+        <translation>das ist ein 7z-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is an xz archive; unpack it and open the file inside.</source>
+        <translation>das ist ein xz-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is a zstd archive; unpack it and open the file inside.</source>
+        <translation>das ist ein zstd-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is a rar archive; unpack it and open the file inside.</source>
+        <translation>das ist ein rar-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is a tar archive; unpack it and open the file inside.</source>
+        <translation>das ist ein tar-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.</source>
+        <translation>der Text ist UTF-16; speichern Sie ihn als einfachen Text (ASCII oder UTF-8) und öffnen Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>this is a PDF document; ask for the STEP file of the part.</source>
+        <translation>das ist ein PDF-Dokument; bitten Sie um die STEP-Datei des Teils.</translation>
+    </message>
+    <message>
+        <source>this is a picture; ask for the STEP file of the part.</source>
+        <translation>das ist ein Bild; bitten Sie um die STEP-Datei des Teils.</translation>
+    </message>
+    <message>
+        <source>this is a database, not a CAD or mesh file.</source>
+        <translation>das ist eine Datenbank, keine CAD- oder Netzdatei.</translation>
+    </message>
+    <message>
+        <source>this is a native file of another program; export it as STEP there.</source>
+        <translation>das ist eine eigene Datei eines anderen Programms; exportieren Sie sie dort als STEP.</translation>
+    </message>
+    <message>
+        <source>this is an AutoCAD drawing (DWG); export the part as STEP there.</source>
+        <translation>das ist eine AutoCAD-Zeichnung (DWG); exportieren Sie das Teil dort als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a program, not a CAD or mesh file.</source>
+        <translation>das ist ein Programm, keine CAD- oder Netzdatei.</translation>
+    </message>
+    <message>
+        <source>this is a web page, not a CAD file; the download may have failed.</source>
+        <translation>das ist eine Webseite, keine CAD-Datei; das Herunterladen ist vielleicht misslungen.</translation>
+    </message>
+    <message>
+        <source>this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).</source>
+        <translation>das ist STEP als XML (Teil 28, stpx), das hier nicht gelesen wird; exportieren Sie das Teil als STEP-Text (stp).</translation>
+    </message>
+    <message>
+        <source>this is an XML text and not one of the files that are read here; export the part as STEP.</source>
+        <translation>das ist ein XML-Text und keine der Dateien, die hier gelesen werden; exportieren Sie das Teil als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that is cut off or damaged; get it again.</source>
+        <translation>das ist ein zip-Archiv, das abgeschnitten oder beschädigt ist; besorgen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>this is a Word document; ask for the STEP file of the part.</source>
+        <translation>das ist ein Word-Dokument; bitten Sie um die STEP-Datei des Teils.</translation>
+    </message>
+    <message>
+        <source>this is an Excel workbook; ask for the STEP file of the part.</source>
+        <translation>das ist eine Excel-Arbeitsmappe; bitten Sie um die STEP-Datei des Teils.</translation>
+    </message>
+    <message>
+        <source>this is a PowerPoint presentation; ask for the STEP file of the part.</source>
+        <translation>das ist eine PowerPoint-Präsentation; bitten Sie um die STEP-Datei des Teils.</translation>
+    </message>
+    <message>
+        <source>this is a FreeCAD document; export the part as STEP there.</source>
+        <translation>das ist ein FreeCAD-Dokument; exportieren Sie das Teil dort als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that holds &quot;%1&quot; (compressed STEP, stpz); unpack it and open that file.</source>
+        <translation>das ist ein zip-Archiv, das „%1“ enthält (komprimiertes STEP, stpz); entpacken Sie es und öffnen Sie diese Datei.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive; unpack it and open the file inside.</source>
+        <translation>das ist ein zip-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+    </message>
+    <message>
+        <source>the %1 file is damaged and cannot be read; export it again.</source>
+        <translation>die Datei (%1) ist beschädigt und kann nicht gelesen werden; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the GLB is damaged, or of another version than 2; export it again as glTF 2.0.</source>
+        <translation>die GLB-Datei ist beschädigt oder von einer anderen Version als 2; exportieren Sie sie noch einmal als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the GLB is cut off or damaged; get it again.</source>
+        <translation>die GLB-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version unknown, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>das ist glTF einer unbekannten Version, lesbar ist nur 2; exportieren Sie es noch einmal als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version %1, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>das ist glTF der Version %1, lesbar ist nur 2; exportieren Sie es noch einmal als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the glTF is compressed (%1), which is not read here; export it without compression.</source>
+        <translation>die glTF-Datei ist komprimiert (%1), was hier nicht gelesen wird; exportieren Sie sie ohne Komprimierung.</translation>
+    </message>
+    <message>
+        <source>the glTF keeps its numbers in &quot;%1&quot;, which is not beside it; put it there.</source>
+        <translation>die glTF-Datei hat ihre Zahlen in „%1“, das nicht neben ihr liegt; legen Sie es dorthin.</translation>
+    </message>
+    <message>
+        <source>a node of the glTF is in two others; the file is damaged, export it again.</source>
+        <translation>ein Knoten der glTF-Datei steckt in zwei anderen; die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>nodes of the glTF hold themselves or are nested more than %1 deep; export it again.</source>
+        <translation>Knoten der glTF-Datei enthalten sich selbst oder sind mehr als %1-fach verschachtelt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the glTF file is cut off or damaged; get it again.</source>
+        <translation>die glTF-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the %1 file has triangles with corners that are not there; it is damaged, get it again.</source>
+        <translation>die Datei (%1) hat Dreiecke mit Ecken, die es nicht gibt; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>ist keine geschlossene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>hat kein Volumen; es kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>the line &quot;%1&quot; in the header of the PLY file is damaged; get it again.</source>
+        <translation>die Zeile „%1“ im Kopf der PLY-Datei ist beschädigt; besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the header of the PLY file has no end; it is cut off or damaged, get it again.</source>
+        <translation>der Kopf der PLY-Datei hat kein Ende; sie ist abgeschnitten oder beschädigt, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the PLY file holds fewer numbers than its header promises; it is cut off, get it again.</source>
+        <translation>die PLY-Datei enthält weniger Zahlen, als ihr Kopf verspricht; sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1: die 3MF-Datei hält sich an 1 Stelle nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1: die 3MF-Datei hält sich an %2 Stellen nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+    </message>
+    <message>
+        <source>the 3MF builds no object; export it again with the parts in its build.</source>
+        <translation>die 3MF-Datei baut kein Objekt; exportieren Sie sie noch einmal mit den Teilen in ihrem Bau.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than %1 objects, or nests them more than %2 deep; export the parts you need.</source>
+        <translation>die 3MF-Datei entfaltet sich zu mehr als %1 Objekten oder verschachtelt sie mehr als %2-fach; exportieren Sie die Teile, die Sie brauchen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; hat keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
+        <translation>die 3MF-Datei entfaltet sich zu mehr als 200 Millionen Dreiecken; exportieren Sie die Teile, die Sie brauchen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length unit; choose one of %2.</source>
+        <translation>„%1“ ist keine Längeneinheit; wählen Sie eine von %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; the file is damaged, or needs a longer time limit.</source>
+        <translation>Nichts wurde importiert; die Datei ist beschädigt oder braucht ein höheres Zeitlimit.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; export the file again, best as STEP.</source>
+        <translation>Nichts wurde importiert; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was imported; try again.</source>
+        <translation>das Ergebnis des Lesers ist beschädigt (%1). Nichts wurde importiert; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1: der Leser stürzte über das ab, was die Datei neben ihren Formen sagt; diese wurden ohne Namen, Farben und Baugruppen gelesen, und ohne andere Dateien, auf die sie verweist.</translation>
+    </message>
+    <message>
+        <source>There is no file to open.</source>
+        <translation>Es gibt keine Datei zu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -2781,6 +3357,37 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Load</name>
+    <message>
+        <source>A load must not be larger than 1e12 N, N m or Pa.</source>
+        <translation>Eine Last darf nicht größer als 1e12 N, N m oder Pa sein.</translation>
+    </message>
+    <message>
+        <source>A load must rise within 0 to 3600 s.</source>
+        <translation>Eine Last muss in 0 bis 3600 s ansteigen.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; acts on nothing.</source>
+        <translation>Die Last &quot;%1&quot; wirkt auf nichts.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names an object that does not exist.</source>
+        <translation>Die Last &quot;%1&quot; nennt ein Objekt, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; has an area that is no number.</source>
+        <translation>Die Last &quot;%1&quot; hat eine Fläche, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names a body that does not exist.</source>
+        <translation>Die Last &quot;%1&quot; nennt einen Körper, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>There is no load number %1.</source>
+        <translation>Es gibt keine Last Nummer %1.</translation>
+    </message>
+</context>
+<context>
     <name>LogPanel</name>
     <message>
         <source>Warning: %1</source>
@@ -2908,6 +3515,33 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Select something first.</source>
         <translation>Wählen Sie zuerst etwas aus.</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>%1 is %2; it must lie between %3 and %4.</source>
+        <translation>%1: %2 ist nicht möglich, erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>The region names the object %1; the body has %2.</source>
+        <translation>Der Bereich nennt das Objekt %1; der Körper hat %2.</translation>
+    </message>
+    <message>
+        <source>A body can be made of at most 255 different materials.</source>
+        <translation>Ein Körper kann aus höchstens 255 verschiedenen Materialien bestehen.</translation>
+    </message>
+    <message>
+        <source>A rigid body has no stress to lose. Make it deformable first.</source>
+        <translation>Ein starrer Körper hat keine Spannung zu verlieren. Machen Sie ihn zuerst verformbar.</translation>
+    </message>
+    <message>
+        <source>Re-normalization takes 0 to 3600 s.</source>
+        <translation>Das Renormieren dauert 0 bis 3600 s.</translation>
+    </message>
+    <message>
+        <source>There is no object number %1.</source>
+        <translation>Es gibt kein Objekt Nummer %1.</translation>
     </message>
 </context>
 <context>
@@ -3808,6 +4442,21 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Number</name>
+    <message>
+        <source>%1 billion</source>
+        <translation>%1 Milliarden</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 Millionen</translation>
+    </message>
+    <message>
+        <source>%1 thousand</source>
+        <translation>%1 Tausend</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4268,6 +4917,245 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Project</name>
+    <message>
+        <source>what was done last</source>
+        <translation>was zuletzt getan wurde</translation>
+    </message>
+    <message>
+        <source>the state after &quot;%1&quot;</source>
+        <translation>der Zustand nach „%1“</translation>
+    </message>
+    <message>
+        <source>a number in the table blobs is out of range</source>
+        <translation>eine Zahl in der Tabelle blobs ist außerhalb des Erlaubten</translation>
+    </message>
+    <message>
+        <source>a row of the table blobs cannot be unpacked</source>
+        <translation>eine Zeile der Tabelle blobs lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>pieces of the table blobs are mixed up</source>
+        <translation>Stücke der Tabelle blobs sind durcheinander</translation>
+    </message>
+    <message>
+        <source>Another window works on this: discard it there.</source>
+        <translation>Ein anderes Fenster arbeitet daran: verwerfen Sie es dort.</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>es lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>eine solche Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a project.</source>
+        <translation>das ist ein Ordner, kein Projekt.</translation>
+    </message>
+    <message>
+        <source>this is no file, and no project either.</source>
+        <translation>das ist keine Datei und auch kein Projekt.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions.</source>
+        <translation>die Datei kann nicht gelesen werden; prüfen Sie ihre Rechte.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>this is not a Knead project.</source>
+        <translation>das ist kein Knead-Projekt.</translation>
+    </message>
+    <message>
+        <source>this is a database of another program, not a Knead project.</source>
+        <translation>das ist eine Datenbank eines anderen Programms, kein Knead-Projekt.</translation>
+    </message>
+    <message>
+        <source>%1: the project is damaged: %2. What is whole can be rescued.</source>
+        <translation>%1: das Projekt ist beschädigt: %2. Was heil ist, kann gerettet werden.</translation>
+    </message>
+    <message>
+        <source>there is a folder of this name; choose another name.</source>
+        <translation>es gibt einen Ordner dieses Namens; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>the file is read-only; save the project under another name.</source>
+        <translation>die Datei ist schreibgeschützt; speichern Sie das Projekt unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>ihre Tabellen sind nicht die eines Projekts</translation>
+    </message>
+    <message>
+        <source>a newer Knead saved this project (version %1 of the file; this program reads up to %2). Update Knead to open it.</source>
+        <translation>ein neueres Knead hat dieses Projekt gespeichert (Version %1 der Datei; dieses Programm liest bis %2). Aktualisieren Sie Knead, um es zu öffnen.</translation>
+    </message>
+    <message>
+        <source>what was written cannot be read back: %1</source>
+        <translation>was geschrieben wurde, lässt sich nicht zurücklesen: %1</translation>
+    </message>
+    <message>
+        <source>nothing of this project can be read any more; open a copy of it, or the part that it was made from.</source>
+        <translation>von diesem Projekt lässt sich nichts mehr lesen; öffnen Sie eine Kopie davon oder das Teil, aus dem es entstand.</translation>
+    </message>
+    <message>
+        <source>another window works on it. Close it there, or open a copy.</source>
+        <translation>ein anderes Fenster arbeitet daran. Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+    </message>
+    <message>
+        <source>another window of this program works on it. Close it there, or open a copy.</source>
+        <translation>ein anderes Fenster dieses Programms arbeitet daran. Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+    </message>
+    <message>
+        <source>another window works on it (process %1 on %2, since %3). Close it there, or open a copy.</source>
+        <translation>ein anderes Fenster arbeitet daran (Prozess %1 auf %2, seit %3). Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+    </message>
+    <message>
+        <source>a fixture is of a body that is not there</source>
+        <translation>eine Einspannung gehört zu einem Körper, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a fixture has objects that are not there</source>
+        <translation>eine Einspannung hat Objekte, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>eine Anzahl ist negativ</translation>
+    </message>
+    <message>
+        <source>rows of the table contents are mixed up</source>
+        <translation>Zeilen der Tabelle contents sind durcheinander</translation>
+    </message>
+    <message>
+        <source>the number of rows of the table %1</source>
+        <translation>die Zahl der Zeilen der Tabelle %1</translation>
+    </message>
+    <message>
+        <source>the table %1</source>
+        <translation>die Tabelle %1</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>tool part %1</source>
+        <translation>Werkzeugteil %1</translation>
+    </message>
+    <message>
+        <source>start state %1</source>
+        <translation>Anfangszustand %1</translation>
+    </message>
+    <message>
+        <source>rows of the table bodies are mixed up</source>
+        <translation>Zeilen der Tabelle bodies sind durcheinander</translation>
+    </message>
+    <message>
+        <source>a body is of a part that is not there</source>
+        <translation>ein Körper gehört zu einem Teil, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a region has objects that are not there</source>
+        <translation>eine Region hat Objekte, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>entry %1</source>
+        <translation>Eintrag %1</translation>
+    </message>
+    <message>
+        <source>which entry was shown</source>
+        <translation>welcher Eintrag gezeigt wurde</translation>
+    </message>
+    <message>
+        <source>that entry is missing</source>
+        <translation>dieser Eintrag fehlt</translation>
+    </message>
+    <message>
+        <source>it follows a later one</source>
+        <translation>er folgt auf einen späteren</translation>
+    </message>
+    <message>
+        <source>the entry that it follows is missing</source>
+        <translation>der Eintrag, auf den er folgt, fehlt</translation>
+    </message>
+    <message>
+        <source>its start state is missing</source>
+        <translation>sein Anfangszustand fehlt</translation>
+    </message>
+    <message>
+        <source>the state of entry %1</source>
+        <translation>der Zustand von Eintrag %1</translation>
+    </message>
+    <message>
+        <source>it is of another length</source>
+        <translation>er hat eine andere Länge</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>die Ansicht</translation>
+    </message>
+    <message>
+        <source>mark %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>its entry is missing</source>
+        <translation>ihr Eintrag fehlt</translation>
+    </message>
+    <message>
+        <source>what panel %1 kept</source>
+        <translation>was der Bereich %1 aufbewahrte</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept for recovery (%1). Save the project, and make room in %2.</source>
+        <translation>Die Arbeit kann nicht für die Wiederherstellung aufbewahrt werden (%1). Speichern Sie das Projekt, und schaffen Sie Platz in %2.</translation>
+    </message>
+    <message>
+        <source>Nothing of the work that was kept in %1 can be read any more. Discard it, and open what was saved last.</source>
+        <translation>Von der Arbeit, die in %1 aufbewahrt wurde, lässt sich nichts mehr lesen. Verwerfen Sie sie, und öffnen Sie, was zuletzt gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>its folder cannot be locked</source>
+        <translation>sein Ordner lässt sich nicht sperren</translation>
+    </message>
+    <message>
+        <source>Another window works on this already, or it was discarded: look for it there.</source>
+        <translation>Ein anderes Fenster arbeitet schon daran, oder es wurde verworfen: sehen Sie dort nach.</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2</source>
+        <translation>Zeile %1 der Tabelle %2</translation>
+    </message>
+    <message>
+        <source>a value in the table %1 is of the wrong kind</source>
+        <translation>ein Wert in der Tabelle %1 ist von der falschen Art</translation>
+    </message>
+    <message>
+        <source>a number in the table %1 is out of range</source>
+        <translation>eine Zahl in der Tabelle %1 ist außerhalb des Erlaubten</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was written</source>
+        <translation>%1 ist nicht so, wie sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>what was done to the parts</source>
+        <translation>was mit den Teilen getan wurde</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1: was zuletzt zu sehen war, kann nicht gezeigt werden. %2 Was heil ist, kann gerettet werden.</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4484,9 +5372,504 @@ Simuliert: %2, Schritt %3
         <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
         <translation>Die Teile dieses Projekts sind verloren, sodass nichts davon gezeigt werden kann. Öffnen Sie das Teil, aus dem es gemacht wurde.</translation>
     </message>
+</context>
+<context>
+    <name>Recipe</name>
     <message>
-        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
-        <translation>%1: was zuletzt zu sehen war, kann nicht gezeigt werden. %2 Was heil ist, kann gerettet werden.</translation>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>die Sonde „%1“</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it was filled anew with %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier wurde er mit %3 neu gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei und was davor getan wird.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it is filled with the first %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier ist er mit den ersten %3 gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei und was davor getan wird.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not closed and is left out.</source>
+        <translation>„%1“ ist nicht geschlossen und wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 has no tool part %2; it has %3 of them, counted from 0.</source>
+        <translation>%1 hat kein Werkzeugteil %2; es hat %3 davon, von 0 an gezählt.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>das Projekt hat keine Teile.</translation>
+    </message>
+    <message>
+        <source>%1 names faces, but &quot;%2&quot; is a mesh without CAD faces; use box_mm.</source>
+        <translation>%1 nennt Flächen, aber „%2“ ist ein Netz ohne CAD-Flächen; verwenden Sie box_mm.</translation>
+    </message>
+    <message>
+        <source>%1 names the face %2, but &quot;%3&quot; has faces 0 to %4.</source>
+        <translation>%1 nennt die Fläche %2, aber „%3“ hat die Flächen 0 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1 names faces of one body among several; add the key body.</source>
+        <translation>%1 nennt Flächen eines Körpers unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing: no object lies there.</source>
+        <translation>%1 hält nichts: dort liegt kein Objekt.</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>die Region „%1“</translation>
+    </message>
+    <message>
+        <source>%1 names the body &quot;%2&quot;; the part has: %3.</source>
+        <translation>%1 nennt den Körper „%2“; das Teil hat: %3.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of one body among several; add the key body.</source>
+        <translation>%1 nennt Objekte eines Körpers unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that is filled with %2, and here it is filled with %3. Name a box instead, or keep the spacing.</source>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 gefüllt ist, und hier ist er mit %3 gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei.</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>die Einspannung „%1“</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>die Last „%1“</translation>
+    </message>
+    <message>
+        <source>%1 is on one body among several; add the key body.</source>
+        <translation>%1 wirkt auf einen Körper unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 acts on nothing: no surface lies there.</source>
+        <translation>%1 wirkt auf nichts: dort liegt keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>This recipe asks for balance without inertia, which &quot;knead run&quot; finds. Play carries it out as motion in time.</source>
+        <translation>Dieses Rezept verlangt ein Gleichgewicht ohne Trägheit, das „knead run“ findet. Abspielen führt es als Bewegung in der Zeit aus.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3 %4</source>
+        <translation>%1, Zeile %2: %3 %4</translation>
+    </message>
+    <message>
+        <source>%1, got %2.</source>
+        <translation>%1; da steht %2.</translation>
+    </message>
+    <message>
+        <source>must be an object in { }</source>
+        <translation>muss ein Objekt in { } sein</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;%1&quot;.</source>
+        <translation>muss den Schlüssel „%1“ haben.</translation>
+    </message>
+    <message>
+        <source>is not a known key; allowed here: %1.</source>
+        <translation>ist kein bekannter Schlüssel; hier erlaubt: %1.</translation>
+    </message>
+    <message>
+        <source>must be a list in [ ]</source>
+        <translation>muss eine Liste in [ ] sein</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes that is not empty</source>
+        <translation>muss ein nicht leerer Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a number between %1 and %2</source>
+        <translation>muss eine Zahl zwischen %1 und %2 sein</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number between %1 and %2</source>
+        <translation>muss eine ganze Zahl zwischen %1 und %2 sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number between 0 and %1</source>
+        <translation>muss eine ganze Zahl zwischen 0 und %1 sein</translation>
+    </message>
+    <message>
+        <source>must hold %1 numbers</source>
+        <translation>muss %1 Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>%1: the key &quot;%2&quot; is given twice in the same object.</source>
+        <translation>%1: der Schlüssel „%2“ steht zweimal im selben Objekt.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1: Listen und Objekte sind mehr als %2-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>is used twice: &quot;%1&quot;.</source>
+        <translation>kommt zweimal vor: „%1“.</translation>
+    </message>
+    <message>
+        <source>must hold the first and the last number of a stretch</source>
+        <translation>muss die erste und die letzte Nummer einer Strecke enthalten</translation>
+    </message>
+    <message>
+        <source>makes a list longer than any that this program writes</source>
+        <translation>ergibt eine längere Liste, als dieses Programm je schreibt</translation>
+    </message>
+    <message>
+        <source>must be the number of a tool part of the project</source>
+        <translation>muss die Nummer eines Werkzeugteils des Projekts sein</translation>
+    </message>
+    <message>
+        <source>must be one of those that this program knows</source>
+        <translation>muss eines von denen sein, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>must be the number of a part</source>
+        <translation>muss die Nummer eines Teils sein</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys box_mm and objects.</source>
+        <translation>darf nur einen der Schlüssel box_mm und objects haben.</translation>
+    </message>
+    <message>
+        <source>must have at least one of the keys velocity_mm_s and turn.</source>
+        <translation>muss mindestens einen der Schlüssel velocity_mm_s und turn haben.</translation>
+    </message>
+    <message>
+        <source>must not be 0: it says which way the plane faces.</source>
+        <translation>darf nicht 0 sein: es sagt, wohin die Ebene zeigt.</translation>
+    </message>
+    <message>
+        <source>must be true.</source>
+        <translation>muss true sein.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys %1 and %2.</source>
+        <translation>darf nur einen der Schlüssel %1 und %2 haben.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys %1.</source>
+        <translation>muss genau einen der Schlüssel %1 haben.</translation>
+    </message>
+    <message>
+        <source>must have either time_s or step.</source>
+        <translation>muss entweder time_s oder step haben.</translation>
+    </message>
+    <message>
+        <source>needs an event with a step; say keyframes for times.</source>
+        <translation>braucht ein Ereignis mit einem Schritt (step); für Zeiten nehmen Sie keyframes.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys path and %1.</source>
+        <translation>darf nur einen der Schlüssel path und %1 haben.</translation>
+    </message>
+    <message>
+        <source>belongs to a change of material only.</source>
+        <translation>gehört nur zu einem Wechsel des Materials.</translation>
+    </message>
+    <message>
+        <source>must be one of %1 or a direction of 3 numbers</source>
+        <translation>muss eines von %1 oder eine Richtung aus 3 Zahlen sein</translation>
+    </message>
+    <message>
+        <source>must be a direction of 3 numbers that are not all 0</source>
+        <translation>muss eine Richtung aus 3 Zahlen sein, die nicht alle 0 sind</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>muss eines von %1 sein</translation>
+    </message>
+    <message>
+        <source>must be a path inside the output folder</source>
+        <translation>muss ein Pfad innerhalb des Ausgabeordners sein</translation>
+    </message>
+    <message>
+        <source>must end in one of %1</source>
+        <translation>muss auf eines von %1 enden</translation>
+    </message>
+    <message>
+        <source>must have either axis and speed_deg_s, or angular_velocity_rad_s.</source>
+        <translation>muss entweder axis und speed_deg_s oder angular_velocity_rad_s haben.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angle_deg and angle_rad.</source>
+        <translation>darf nur einen der Schlüssel angle_deg und angle_rad haben.</translation>
+    </message>
+    <message>
+        <source>belongs to manipulators of the kind part only.</source>
+        <translation>gehört nur zu Werkzeugen der Art part.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind part; its file says how large it is.</source>
+        <translation>gehört nicht zur Art part; deren Datei sagt, wie groß es ist.</translation>
+    </message>
+    <message>
+        <source>must be later than the frame before it</source>
+        <translation>muss später sein als das Bild davor</translation>
+    </message>
+    <message>
+        <source>asks for a speed of %1 mm/s; speed_limit_mm_s allows %2.</source>
+        <translation>verlangt eine Geschwindigkeit von %1 mm/s; speed_limit_mm_s erlaubt %2.</translation>
+    </message>
+    <message>
+        <source>must be false where the tool is neither a ball nor a cylinder</source>
+        <translation>muss false sein, wo das Werkzeug weder Kugel noch Zylinder ist</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys keyframes and motion.</source>
+        <translation>darf nur einen der Schlüssel keyframes und motion haben.</translation>
+    </message>
+    <message>
+        <source>must hold at least one frame.</source>
+        <translation>muss mindestens ein Bild enthalten.</translation>
+    </message>
+    <message>
+        <source>belongs to velocity_mm_s.</source>
+        <translation>gehört zu velocity_mm_s.</translation>
+    </message>
+    <message>
+        <source>must be true; leave it out to say another motion.</source>
+        <translation>muss true sein; lassen Sie es weg, um eine andere Bewegung anzugeben.</translation>
+    </message>
+    <message>
+        <source>must hold a step and x, y, z, perhaps with w, x, y, z of a rotation</source>
+        <translation>muss einen Schritt und x, y, z enthalten, dazu vielleicht w, x, y, z einer Drehung</translation>
+    </message>
+    <message>
+        <source>must not be less than in the row before it</source>
+        <translation>darf nicht kleiner sein als in der Zeile davor</translation>
+    </message>
+    <message>
+        <source>lies further than a kilometer away.</source>
+        <translation>liegt weiter als einen Kilometer entfernt.</translation>
+    </message>
+    <message>
+        <source>must end with a quaternion of length 1</source>
+        <translation>muss mit einem Quaternion der Länge 1 enden</translation>
+    </message>
+    <message>
+        <source>must hold at least one row.</source>
+        <translation>muss mindestens eine Zeile enthalten.</translation>
+    </message>
+    <message>
+        <source>the project has no bodies.</source>
+        <translation>das Projekt hat keine Körper.</translation>
+    </message>
+    <message>
+        <source>some of its parts could not be filled with objects, which a recipe takes for an error.</source>
+        <translation>manche seiner Teile ließen sich nicht mit Objekten füllen, was ein Rezept für einen Fehler hält.</translation>
+    </message>
+    <message>
+        <source>its bodies differ in their spacing or structural friction.</source>
+        <translation>seine Körper unterscheiden sich im Abstand oder in der strukturellen Reibung.</translation>
+    </message>
+    <message>
+        <source>the files of its parts are not there any more; save the project first.</source>
+        <translation>die Dateien seiner Teile sind nicht mehr da; speichern Sie zuerst das Projekt.</translation>
+    </message>
+    <message>
+        <source>The files that the parts were read from are not there any more: the recipe takes the parts from the project.</source>
+        <translation>Die Dateien, aus denen die Teile gelesen wurden, sind nicht mehr da: das Rezept nimmt die Teile aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>The recipe begins where the part was filled last; what was done before left nothing behind but tools, materials and fixtures.</source>
+        <translation>Das Rezept beginnt dort, wo das Teil zuletzt gefüllt wurde; was davor getan wurde, ließ nur Werkzeuge, Materialien und Einspannungen zurück.</translation>
+    </message>
+    <message>
+        <source>The project has nothing in it yet that a recipe could say.</source>
+        <translation>Im Projekt gibt es noch nichts, was ein Rezept sagen könnte.</translation>
+    </message>
+    <message>
+        <source>A recipe cannot say what was done here: %1</source>
+        <translation>Ein Rezept kann nicht sagen, was hier getan wurde: %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which has nothing in it to set.</source>
+        <translation>%1 ist %2, worin es nichts zu setzen gibt.</translation>
+    </message>
+    <message>
+        <source>%1 has no item &quot;%2&quot;; allowed here: %3.</source>
+        <translation>%1 hat keinen Eintrag „%2“; hier erlaubt: %3.</translation>
+    </message>
+    <message>
+        <source>a whole list, since this one is empty</source>
+        <translation>eine ganze Liste, da diese leer ist</translation>
+    </message>
+    <message>
+        <source>the number 0</source>
+        <translation>die Nummer 0</translation>
+    </message>
+    <message>
+        <source>the numbers 0 to %1</source>
+        <translation>die Nummern 0 bis %1</translation>
+    </message>
+    <message>
+        <source>%1 and the names %2</source>
+        <translation>%1 und die Namen %2</translation>
+    </message>
+    <message>
+        <source>the path has an empty step; between two dots there must be a key, a name or a number.</source>
+        <translation>der Pfad hat einen leeren Schritt; zwischen zwei Punkten muss ein Schlüssel, ein Name oder eine Nummer stehen.</translation>
+    </message>
+    <message>
+        <source>the path ends with a dot; name what is to be set after it.</source>
+        <translation>der Pfad endet mit einem Punkt; nennen Sie danach, was gesetzt werden soll.</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be set: %3</source>
+        <translation>%1: %2 kann nicht gesetzt werden: %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; sets nothing; write PATH=VALUE, for example spacing_mm=3.</source>
+        <translation>„%1“ setzt nichts; schreiben Sie PFAD=WERT, zum Beispiel spacing_mm=3.</translation>
+    </message>
+    <message>
+        <source>must have either file or files.</source>
+        <translation>muss entweder file oder files haben.</translation>
+    </message>
+    <message>
+        <source>must hold at least one file.</source>
+        <translation>muss mindestens eine Datei enthalten.</translation>
+    </message>
+    <message>
+        <source>a fixture holds no object of its body.</source>
+        <translation>eine Einspannung hält kein Objekt ihres Körpers.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.</source>
+        <translation>muss genau einen der Schlüssel spacing_mm, cells_across, cells_across_wall und objects haben.</translation>
+    </message>
+    <message>
+        <source>belongs to events: at the start nothing has been filled anew.</source>
+        <translation>gehört zu Ereignissen: am Anfang ist noch nichts neu gefüllt.</translation>
+    </message>
+    <message>
+        <source>is written twice: &quot;%1&quot;.</source>
+        <translation>wird zweimal geschrieben: „%1“.</translation>
+    </message>
+    <message>
+        <source>is &quot;published&quot;, which needs spacing_mm.</source>
+        <translation>ist „published“, was spacing_mm braucht.</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is not in the recipe.</source>
+        <translation>nennt „%1“, das nicht im Rezept steht.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than that of the event before it</source>
+        <translation>darf nicht früher sein als beim Ereignis davor</translation>
+    </message>
+    <message>
+        <source>must not be less than that of the event before it</source>
+        <translation>darf nicht kleiner sein als beim Ereignis davor</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys duration_s and duration_steps.</source>
+        <translation>darf nur einen der Schlüssel duration_s und duration_steps haben.</translation>
+    </message>
+    <message>
+        <source>must be at most 3600 s</source>
+        <translation>darf höchstens 3600 s sein</translation>
+    </message>
+    <message>
+        <source>belongs to a dynamic analysis only.</source>
+        <translation>gehört nur zu einer dynamischen Analyse.</translation>
+    </message>
+    <message>
+        <source>belongs to a static analysis only.</source>
+        <translation>gehört nur zu einer statischen Analyse.</translation>
+    </message>
+    <message>
+        <source>names the unknown material &quot;%1&quot;; known are: %2.</source>
+        <translation>nennt das unbekannte Material „%1“; bekannt sind: %2.</translation>
+    </message>
+    <message>
+        <source>must hold at least one face.</source>
+        <translation>muss mindestens eine Fläche enthalten.</translation>
+    </message>
+    <message>
+        <source>must be the name of a material or an object in { }</source>
+        <translation>muss der Name eines Materials oder ein Objekt in { } sein</translation>
+    </message>
+    <message>
+        <source>must have both of the keys objects and objects_in_body, or none.</source>
+        <translation>muss beide Schlüssel objects und objects_in_body haben, oder keinen.</translation>
+    </message>
+    <message>
+        <source>belongs to objects.</source>
+        <translation>gehört zu objects.</translation>
+    </message>
+    <message>
+        <source>must go on upwards, below objects_in_body</source>
+        <translation>muss weiter aufsteigen, unter objects_in_body</translation>
+    </message>
+    <message>
+        <source>must hold at least one object.</source>
+        <translation>muss mindestens ein Objekt enthalten.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys faces, box_mm and objects.</source>
+        <translation>muss genau einen der Schlüssel faces, box_mm und objects haben.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.</source>
+        <translation>darf nur einen der Schlüssel angular_velocity_deg_s und angular_velocity_rad_s haben.</translation>
+    </message>
+    <message>
+        <source>must hold 3 numbers no larger than %1</source>
+        <translation>muss 3 Zahlen nicht größer als %1 enthalten</translation>
+    </message>
+    <message>
+        <source>must hold the lowest x, y, z and then the highest x, y, z</source>
+        <translation>muss die kleinsten x, y, z und dann die größten x, y, z enthalten</translation>
+    </message>
+    <message>
+        <source>must hold w, x, y, z of a quaternion of length 1</source>
+        <translation>muss w, x, y, z eines Quaternions der Länge 1 enthalten</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys rotation_deg and rotation_wxyz.</source>
+        <translation>darf nur einen der Schlüssel rotation_deg und rotation_wxyz haben.</translation>
+    </message>
+    <message>
+        <source>must hold %1 positive numbers</source>
+        <translation>muss %1 positive Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>names a file that does not exist: %1. The path is taken from the folder of the recipe.</source>
+        <translation>nennt eine Datei, die es nicht gibt: %1. Der Pfad gilt vom Ordner des Rezepts aus.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot; is an imported part, which only a saved project keeps.</source>
+        <translation>das Werkzeug „%1“ ist ein importiertes Teil, das nur ein gespeichertes Projekt behält.</translation>
+    </message>
+    <message>
+        <source>The output folder %1 cannot be made; choose another one with --out.</source>
+        <translation>Der Ausgabeordner %1 lässt sich nicht anlegen; wählen Sie mit --out einen anderen.</translation>
     </message>
 </context>
 <context>
@@ -4756,10 +6139,319 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Repair</name>
+    <message>
+        <source>The exact shapes of the parts cannot be understood; import the file again.</source>
+        <translation>Die exakten Formen der Teile sind nicht zu verstehen; importieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht; der weiteste Spalt zwischen zweien ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht; der weiteste Spalt zwischen zweien ist %3.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 ebene Öffnung wurde mit einer ebenen Fläche geschlossen, %1 % der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 ebene Öffnungen wurden mit ebenen Flächen geschlossen, %2 % der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Kanten, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 Fläche, die die Prüfungen der Geometrie nicht bestand, wurde neu gebaut.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 Flächen, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 Schale war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 Schalen waren umgestülpt und wurden gewendet.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit 1 Hohlraum darin.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit %1 Hohlräumen darin.</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 Dreieck war doppelt da und wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 Dreiecke waren doppelt da und wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>Die Fläche war mit beiden Seiten gegeben; eine davon wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 Paar von Dreiecken Rücken an Rücken wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 Paare von Dreiecken Rücken an Rücken wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 Dreieck sah in die falsche Richtung und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 Dreiecke sahen in die falsche Richtung und wurden gewendet.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 kleines Loch wurde geschlossen, was die Oberfläche um %1 vergrößerte.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 kleine Löcher wurden geschlossen, was die Oberfläche um %2 vergrößerte.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>Die Fläche war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 offene Kanten</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 Rand</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 Rändern</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4 und ist eben</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4</translation>
+    </message>
+</context>
+<context>
+    <name>Run</name>
+    <message>
+        <source>The equations of %1 of %2 steps could not be solved: forces and places are not to be trusted there. Make tools slower, or choose a shorter time step.</source>
+        <translation>Die Gleichungen von %1 der %2 Schritte ließen sich nicht lösen: Kräften und Lagen ist dort nicht zu trauen. Werkzeuge verlangsamen oder einen kürzeren Zeitschritt wählen.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>Die Energie stimmt um %1 % aller umgesetzten nicht. Einen kürzeren Zeitschritt wählen oder Werkzeuge langsamer machen.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Werkzeuge oder der Boden drangen %1 Abstände ins Material ein: Formen und Kräfte dort sind ungenau. Weniger weit drücken oder einen kleineren Abstand wählen.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>Massenskalierung machte %1 % der Masse: was schwingt und was geworfen wird, ist langsamer, als es wäre. Einen kürzeren Zeitschritt dafür wählen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>Die Simulation wurde bei %1 s angehalten: %2 Sie ging auf %3 s zurück.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>der Körper</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>Material von %1 wurde flach gedrückt oder umgestülpt. Weniger weit drücken, die Querkontraktionszahl oder die Fließgrenze erhöhen oder das Teil mit kleinerem Abstand füllen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>eine Lage ist keine Zahl mehr. %1 oder das Material weicher machen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>der gewählte Zeitschritt von %1 s ist länger als der stabile von %2 s. Einen kürzeren wählen oder ein weicheres oder stärker gedämpftes Material.</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Implizites Euler</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Vorwärts-Euler</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1: gewählt; explizite Integration braucht %2 Schritte je Sekunde, was mit der Echtzeit mithält.</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1: gewählt; explizite Integration braucht %2 Schritte je Sekunde, mehr als Echtzeit erlaubt.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1: explizite Integration braucht %2 Schritte je Sekunde, was mit der Echtzeit mithält.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1: explizite Integration braucht %2 Schritte je Sekunde, mehr als Echtzeit erlaubt.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Die Gleichungen des Schrittes bei %1 s ließen sich nicht lösen: Kräfte und Lagen sind von dort an ungenau. Werkzeuge verlangsamen oder einen kürzeren Zeitschritt wählen.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>es ist nicht genug Speicher da, um fortzufahren. Andere Programme schließen oder das Teil mit größerem Abstand füllen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Zurücksetzen oder zu einem früheren Augenblick gehen.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>Die Simulation wurde angehalten: %1</translation>
+    </message>
+    <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>Objekte von %1 bewegten sich mit %2 m/s, und nichts in der Szene macht sie schneller als %3 m/s. %4 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J kamen aus dem Nichts, von %2 J in der Szene: Die Schritte folgen dem Material nicht mehr. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>die Gleichungen von %1 Schritten nacheinander ließen sich nicht lösen, obwohl der letzte nur %2 s lang war. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>Das Werkzeug &quot;%1&quot; steckt %2 mm tief in %3: es außerhalb beginnen lassen, weniger weit drücken, es verlangsamen</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Einen kürzeren Zeitschritt für die Massenskalierung wählen, die %1 % zur Masse hinzufügte</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>Die Werkzeuge verlangsamen</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>Die Schwerkraft verringern</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Körper und Einspannungen langsamer bewegen</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>Das Werkzeug &quot;%1&quot; beginnt %2 mm tief in %3, was mit großer Kraft und in sehr kurzen Schritten weggedrückt wird. Es außerhalb beginnen lassen.</translation>
+    </message>
+</context>
+<context>
     <name>RunRemarks</name>
     <message>
         <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
         <translation>Die Zeit geht kaum voran: %1 wurden in %2 simuliert, in Schritten von %3. Ein größerer Abstand, ein weicheres Material, langsamere Werkzeuge oder solche, die außerhalb des Materials beginnen, machen es schneller.</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>Gravity must not be stronger than 10000 m/s^2.</source>
+        <translation>Die Schwerkraft darf nicht stärker als 10000 m/s^2 sein.</translation>
+    </message>
+    <message>
+        <source>The height of the floor must lie between -10 and 10 km.</source>
+        <translation>Die Höhe des Bodens muss zwischen -10 und 10 km liegen.</translation>
+    </message>
+    <message>
+        <source>The friction of the floor must lie between 0 and 2.</source>
+        <translation>Die Reibung des Bodens muss zwischen 0 und 2 liegen.</translation>
+    </message>
+    <message>
+        <source>The adhesion of the floor must lie between 0 and 1e9 Pa.</source>
+        <translation>Die Haftung des Bodens muss zwischen 0 und 1e9 Pa liegen.</translation>
+    </message>
+    <message>
+        <source>There is no body number %1.</source>
+        <translation>Es gibt keinen Körper Nummer %1.</translation>
+    </message>
+    <message>
+        <source>It holds no objects. Fill it with a smaller spacing.</source>
+        <translation>Er enthält keine Objekte. Füllen Sie ihn mit einem kleineren Abstand.</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot;: %2</source>
+        <translation>Bereich &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot; names an object that does not exist.</source>
+        <translation>Der Bereich &quot;%1&quot; nennt ein Objekt, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>It must not start faster than 1000 m/s or 100000 rad/s.</source>
+        <translation>Er darf nicht schneller als 1000 m/s oder 100000 rad/s beginnen.</translation>
+    </message>
+    <message>
+        <source>Its structural friction must lie between 0 and 2.</source>
+        <translation>Seine innere Reibung muss zwischen 0 und 2 liegen.</translation>
+    </message>
+    <message>
+        <source>Body &quot;%1&quot;: %2</source>
+        <translation>Körper &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>The time step must lie between 1e-9 and 1 s.</source>
+        <translation>Der Zeitschritt muss zwischen 1e-9 und 1 s liegen.</translation>
+    </message>
+    <message>
+        <source>The time step of mass scaling must lie between 1e-9 and 1 s.</source>
+        <translation>Der Zeitschritt der Massenskalierung muss zwischen 1e-9 und 1 s liegen.</translation>
+    </message>
+    <message>
+        <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
+        <translation>Vorwärts-Euler ist ohne Dämpfung nicht stabil: erhöhen Sie den Dämpfungsgrad oder nehmen Sie semi-implizites Euler.</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +7126,81 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Step</name>
+    <message>
+        <source>the STEP file ends inside a text; it is cut off, get it again.</source>
+        <translation>die STEP-Datei endet innerhalb eines Textes; sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again.</source>
+        <translation>die STEP-Datei endet vor ihrer letzten Zeile (END-ISO-10303-21); sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the STEP file has no DATA section, so it holds no shapes.</source>
+        <translation>die STEP-Datei hat keinen Abschnitt DATA, also enthält sie keine Formen.</translation>
+    </message>
+    <message>
+        <source>a name in the STEP file is longer than 65 thousand letters; the file is damaged.</source>
+        <translation>ein Name in der STEP-Datei ist länger als 65 tausend Zeichen; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>lists in the STEP file are nested more than 500 deep; the file is damaged.</source>
+        <translation>Listen in der STEP-Datei sind mehr als 500-fach verschachtelt; die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>the STEP file has &quot;%1&quot; in place of a number; export it again.</source>
+        <translation>in der STEP-Datei steht „%1“ an der Stelle einer Zahl; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1: Eine gedrehte Fläche ist über ihre Naht hinweg begrenzt, und die Datei sagt nicht, auf welcher Seite ihres Randes sie liegt; das Volumen ihres Teils ist zu prüfen.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 Form der STEP-Datei konnte nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 Formen der STEP-Datei konnten nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; export the file again.</source>
+        <translation>das Element %1 verweist auf etwas Falsches oder auf nichts; exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %2).</source>
+        <translation>das Element %1 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Flächen: %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %2).</source>
+        <translation>das Element %1 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Formen: %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %3).</source>
+        <translation>das Element %1 und %2 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Flächen: %3).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %3).</source>
+        <translation>das Element %1 und %2 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Formen: %3).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>die Baugruppe verweist auf die Datei %1, die es dort nicht gibt: ihre Teile fehlen. Legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>die Baugruppe verweist auf %1 Dateien, die es dort nicht gibt: %2. Ihre Teile fehlen; legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+    </message>
+    <message>
+        <source>the file holds triangles only (tessellated geometry of AP242), which are not read from STEP; export exact solids, or a mesh as 3MF or STL.</source>
+        <translation>die Datei enthält nur Dreiecke (tessellierte Geometrie von AP242), die aus STEP nicht gelesen werden; exportieren Sie exakte Körper, oder ein Netz als 3MF oder STL.</translation>
+    </message>
+    <message>
+        <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
+        <translation>die Datei enthält nur Kurven und Punkte, keinen Körper und keine Fläche; exportieren Sie das Teil als Körper.</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5565,6 +7332,73 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Speed of the film</source>
         <translation>Geschwindigkeit des Films</translation>
+    </message>
+</context>
+<context>
+    <name>Tool</name>
+    <message>
+        <source>Tool &quot;%1&quot;: %2</source>
+        <translation>Werkzeug &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>each edge must be between 0.001 mm and 1000 m long.</source>
+        <translation>jede Kante muss zwischen 0.001 mm und 1000 m lang sein.</translation>
+    </message>
+    <message>
+        <source>it is to be a part, but has none.</source>
+        <translation>es soll ein Teil sein, hat aber keins.</translation>
+    </message>
+    <message>
+        <source>its measures do not fit together: a ball has one, a cylinder a diameter and a length.</source>
+        <translation>seine Maße passen nicht zusammen: eine Kugel hat eines, ein Zylinder einen Durchmesser und eine Länge.</translation>
+    </message>
+    <message>
+        <source>its place must be numbers, within 10 km.</source>
+        <translation>sein Ort muss aus Zahlen bestehen, innerhalb von 10 km.</translation>
+    </message>
+    <message>
+        <source>friction must lie between 0 and 2.</source>
+        <translation>die Reibung muss zwischen 0 und 2 liegen.</translation>
+    </message>
+    <message>
+        <source>the speed limit must lie between 0.001 mm/s and 100 m/s.</source>
+        <translation>die Höchstgeschwindigkeit muss zwischen 0.001 mm/s und 100 m/s liegen.</translation>
+    </message>
+    <message>
+        <source>the adhesion must lie between 0 and 1e9 Pa.</source>
+        <translation>die Haftung muss zwischen 0 und 1e9 Pa liegen.</translation>
+    </message>
+    <message>
+        <source>the force limit must be greater than 0 N.</source>
+        <translation>die Höchstkraft muss größer als 0 N sein.</translation>
+    </message>
+    <message>
+        <source>a key-framed motion needs at least one frame.</source>
+        <translation>eine Bewegung nach Schlüsselbildern braucht mindestens ein Bild.</translation>
+    </message>
+    <message>
+        <source>the times of key frames must ascend.</source>
+        <translation>die Zeiten der Schlüsselbilder müssen ansteigen.</translation>
+    </message>
+    <message>
+        <source>key frames must be numbers, within 10 km.</source>
+        <translation>Schlüsselbilder müssen aus Zahlen bestehen, innerhalb von 10 km.</translation>
+    </message>
+    <message>
+        <source>it must not go faster than 10000 m/s or 100000 rad/s.</source>
+        <translation>es darf nicht schneller als 10000 m/s oder 100000 rad/s sein.</translation>
+    </message>
+    <message>
+        <source>its target must be numbers, within 10 km.</source>
+        <translation>sein Ziel muss aus Zahlen bestehen, innerhalb von 10 km.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s part has no surface. Choose another file.</source>
+        <translation>Das Teil des Werkzeugs hat keine Oberfläche. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>There is no tool number %1.</source>
+        <translation>Es gibt kein Werkzeug Nummer %1.</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +7576,81 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Unit</name>
+    <message>
+        <source>Open that file alone to correct it.</source>
+        <translation>Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <source>thousandths of an inch</source>
+        <translation>Tausendstel Zoll</translation>
+    </message>
+    <message>
+        <source>nanometres</source>
+        <translation>Nanometer</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>Meilen</translation>
+    </message>
+    <message>
+        <source>millionths of an inch</source>
+        <translation>Millionstel Zoll</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1: die Datei nennt keine Längeneinheit; Millimeter wurden genommen.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; that was asked for is not known; known are %2.</source>
+        <translation>die verlangte Längeneinheit „%1“ ist nicht bekannt; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; of the file is not known; known are %2.</source>
+        <translation>die Längeneinheit „%1“ der Datei ist nicht bekannt; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1: das Teil ist %2 lang; wenn seine Längen %3 sind, ist es %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1: die Teile sind zusammen %2 lang; wenn ihre Längen %3 sind, sind sie %4.</translation>
+    </message>
+</context>
+<context>
     <name>ViewCube</name>
     <message>
         <source>FRONT</source>
@@ -5871,6 +7780,81 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Measure the part</source>
         <translation>Das Teil messen</translation>
+    </message>
+</context>
+<context>
+    <name>Work</name>
+    <message>
+        <source>A pipe to another process cannot be made (%1).</source>
+        <translation>Eine Leitung zu einem anderen Prozess lässt sich nicht anlegen (%1).</translation>
+    </message>
+    <message>
+        <source>The process of %1 cannot be started (%2).</source>
+        <translation>Der Prozess von %1 lässt sich nicht starten (%2).</translation>
+    </message>
+    <message>
+        <source>What was read cannot be fetched (%1).</source>
+        <translation>Was gelesen wurde, lässt sich nicht abholen (%1).</translation>
+    </message>
+    <message>
+        <source>memory access</source>
+        <translation>Speicherzugriff</translation>
+    </message>
+    <message>
+        <source>arithmetic</source>
+        <translation>Rechenfehler</translation>
+    </message>
+    <message>
+        <source>internal error</source>
+        <translation>interner Fehler</translation>
+    </message>
+    <message>
+        <source>illegal instruction</source>
+        <translation>unzulässiger Befehl</translation>
+    </message>
+    <message>
+        <source>ended from outside, perhaps because the machine ran out of memory</source>
+        <translation>von außen beendet, vielleicht weil dem Rechner der Speicher ausging</translation>
+    </message>
+    <message>
+        <source>signal %1</source>
+        <translation>Signal %1</translation>
+    </message>
+    <message>
+        <source>the writer</source>
+        <translation>das Schreibprogramm</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>das Schreiben</translation>
+    </message>
+    <message>
+        <source>the reader</source>
+        <translation>das Leseprogramm</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>das Lesen</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 Minuten</translation>
+    </message>
+    <message>
+        <source> while %1</source>
+        <translation> (beim Schritt „%1“)</translation>
+    </message>
+    <message>
+        <source>%1 took longer than %2%3 and was ended. %4</source>
+        <translation>%1 dauerte länger als %2%3 und wurde beendet. %4</translation>
+    </message>
+    <message>
+        <source>%1 crashed%2 (%3). %4</source>
+        <translation>%1 stürzte ab%2 (%3). %4</translation>
+    </message>
+    <message>
+        <source>%1 ended without a result%2. %3</source>
+        <translation>%1 endete ohne Ergebnis%2. %3</translation>
     </message>
 </context>
 <context>

@@ -480,6 +480,33 @@
     </message>
 </context>
 <context>
+    <name>Balance</name>
+    <message>
+        <source>Load step %1: %2</source>
+        <translation>Pas de charge %1 : %2</translation>
+    </message>
+    <message>
+        <source>The body</source>
+        <translation>Le corps</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Un corps est libre de bouger : tenez-le, ou laissez courir le temps (dynamic) jusqu&apos;à ce qu&apos;il repose sur quelque chose.</translation>
+    </message>
+    <message>
+        <source>A load step takes more than 0 and up to 3600 s.</source>
+        <translation>Un pas de charge dure plus de 0 et au plus 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 est rigide et libre de bouger : tenez-le, rendez-le déformable, ou laissez courir le temps (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps (dynamic).</translation>
+    </message>
+</context>
+<context>
     <name>Banner</name>
     <message>
         <source>Close</source>
@@ -669,6 +696,21 @@
     <message>
         <source>Measurements</source>
         <translation>Mesures</translation>
+    </message>
+</context>
+<context>
+    <name>Cut</name>
+    <message>
+        <source>A cut needs a plane: a point, and a normal that is not zero.</source>
+        <translation>Une coupe demande un plan : un point, et une normale qui n&apos;est pas nulle.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
+        <translation>&quot;%1&quot; est rigide et ne se coupe pas. Rendez-le d&apos;abord déformable.</translation>
+    </message>
+    <message>
+        <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
+        <translation>Le plan ne rencontre rien de &quot;%1&quot; qui puisse être coupé.</translation>
     </message>
 </context>
 <context>
@@ -1171,6 +1213,317 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>&quot;%1&quot; is cut into or cracked, but in one piece: it gapes by %2 mm.</source>
+        <translation>«&#xa0;%1&#xa0;» est entaillée ou fissurée mais d&apos;un seul tenant&#xa0;: elle bâille de %2 mm.</translation>
+    </message>
+    <message>
+        <source>a cut or crack ends in it, whose sides are no faces of the part.</source>
+        <translation>une coupe ou une fissure s&apos;y termine, dont les côtés ne sont pas des faces de la pièce.</translation>
+    </message>
+    <message>
+        <source>it was filled anew before: its fields are left out.</source>
+        <translation>elle a été remplie de nouveau auparavant&#xa0;: ses champs sont omis.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>« %1 » est fissurée mais d&apos;un seul tenant : 1 de ses liaisons est rompue, et la peau enjambe la fissure, étirée à %2 fois sa longueur près de %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>« %1 » est fissurée mais d&apos;un seul tenant : %2 de ses liaisons sont rompues, et la peau enjambe la fissure, étirée à %3 fois sa longueur près de %4.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>ses fissures n&apos;ont pas pu devenir des surfaces : d&apos;autres morceaux sont écrits avec lui comme un seul ; objets qu&apos;ils contiennent : %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>des morceaux trop petits pour une forme propre sont écrits comme en faisant partie ; objets qu&apos;ils contiennent : %1.</translation>
+    </message>
+    <message>
+        <source>cracks end in it, and its skin spans them; connections broken there: %1.</source>
+        <translation>des fissures s&apos;y terminent, et la peau les enjambe&#xa0;; liaisons rompues à cet endroit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>la pièce est déchirée ; ceci est l&apos;un de ses %1 morceaux.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>trop peu de ses objets tiennent ensemble pour dire comment elle est déformée : elle est écrite dans sa forme au repos, déplacée comme eux.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 de ses faces n&apos;ont pas pu être entraînées : %2.</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>ainsi courbées, ses faces ne s&apos;ajustent plus entre elles.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>« %1 » : la face %2 est faite de triangles plans ; ses autres faces sont lisses.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>« %1 » : les faces %2 sont faites de triangles plans ; ses autres faces sont lisses.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>« %1 » : la face %2 n&apos;approche pas la peau d&apos;aussi près que visé, %3 mm ; la face %4 en est à %5 mm.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>« %1 » : %2 faces, %3, n&apos;approchent pas la peau d&apos;aussi près que visé, %4 mm ; la face %5 en est à %6 mm.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>« %1 » demanderait %2 faces planes, plus que n&apos;en traitent les programmes de CAO ; exportez-la comme maillage.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>« %1 » est un maillage ouvert, que les fichiers de CAO ne peuvent contenir ; masquez-la ou exportez comme maillage.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>elle est venue comme maillage, qui n&apos;a pas de faces lisses.</translation>
+    </message>
+    <message>
+        <source>its faces could not be cut where the knife went.</source>
+        <translation>ses faces n&apos;ont pas pu être coupées là où le couteau est passé.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>d’autres programmes peuvent la lire retournée, comme elle est revenue ici.</translation>
+    </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>ses faces n’ont pas été retrouvées telles qu’elles ont été écrites.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>des faces qui se rejoignaient en douceur forment maintenant un angle près de %1 ; une tolérance plus petite peut aider.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Le fichier contient %1 pièces alors que %2 ont été écrites.</translation>
+    </message>
+    <message>
+        <source>The exact shapes of the parts are not complete; import the file again.</source>
+        <translation>Les formes exactes des pièces ne sont pas complètes&#xa0;; importez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>ses faces déformées n&apos;ont pas été retrouvées dans le fichier relu.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>relues du fichier, ses faces courbées sont retournées.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>relues dans le fichier, ses faces courbées ne passent pas les contrôles de géométrie.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>relues dans le fichier, ses faces courbées laissent des jours.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>relues depuis le fichier, ses faces à facettes s’écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>relues dans le fichier, ses faces courbées s&apos;écartent de la peau jusqu&apos;à %1 mm alors que %2 mm sont permis.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>relues dans le fichier, ses faces courbées enferment un volume qui diffère de %1 % de celui de la peau.</translation>
+    </message>
+    <message>
+        <source>There is nothing to export.</source>
+        <translation>Il n&apos;y a rien à exporter.</translation>
+    </message>
+    <message>
+        <source>The surface bounds no volume.</source>
+        <translation>La surface ne délimite aucun volume.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>sa surface se traverse elle-même près de %1 ; d&apos;autres programmes peuvent le refuser.</translation>
+    </message>
+    <message>
+        <source>its material is folded over itself near %1</source>
+        <translation>sa matière est repliée sur elle-même près de %1</translation>
+    </message>
+    <message>
+        <source>%1, and so are its faces.</source>
+        <translation>%1, et ses faces aussi.</translation>
+    </message>
+    <message>
+        <source>A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.</source>
+        <translation>Un fichier de CAO ne peut pas être écrit en %1&#xa0;; choisissez mm, cm, m, inch ou ft.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into STEP.</source>
+        <translation>Les pièces n&apos;ont pas pu être converties en STEP.</translation>
+    </message>
+    <message>
+        <source>The STEP text could not be written.</source>
+        <translation>Le texte STEP n&apos;a pas pu être écrit.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into IGES.</source>
+        <translation>Les pièces n&apos;ont pas pu être converties en IGES.</translation>
+    </message>
+    <message>
+        <source>The IGES text could not be written.</source>
+        <translation>Le texte IGES n&apos;a pas pu être écrit.</translation>
+    </message>
+    <message>
+        <source>The BREP text could not be written.</source>
+        <translation>Le texte BREP n&apos;a pas pu être écrit.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.</source>
+        <translation>la surface demande plus que les 4 Go qu&apos;un GLB peut contenir&#xa0;; exportez moins de corps, ou en .gltf.</translation>
+    </message>
+    <message>
+        <source>the ending is none of %1; name the file after its format.</source>
+        <translation>l&apos;extension n&apos;est aucune de %1 ; nommez le fichier d&apos;après son format.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; is not known; known are %2.</source>
+        <translation>l&apos;unité de longueur «&#xa0;%1&#xa0;» n&apos;est pas connue&#xa0;; sont connues %2.</translation>
+    </message>
+    <message>
+        <source>the surface of &quot;%1&quot; leads to infinity; go back to where it was whole and export again.</source>
+        <translation>la surface de «&#xa0;%1&#xa0;» mène à l&apos;infini&#xa0;; revenez là où elle était entière et exportez de nouveau.</translation>
+    </message>
+    <message>
+        <source>there is no surface to write.</source>
+        <translation>il n&apos;y a pas de surface à écrire.</translation>
+    </message>
+    <message>
+        <source>the surface has more than 2147483647 points or triangles, which the formats cannot count; export fewer bodies.</source>
+        <translation>la surface a plus de 2147483647 points ou triangles, que les formats ne peuvent compter&#xa0;; exportez moins de corps.</translation>
+    </message>
+    <message>
+        <source>3MF does not know the length unit %1; choose one of um, mm, cm, inch, ft and m.</source>
+        <translation>le 3MF ne connaît pas l&apos;unité de longueur %1&#xa0;; choisissez um, mm, cm, inch, ft ou m.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.</source>
+        <translation>la surface demande plus que les 4 Go qu&apos;un 3MF peut contenir&#xa0;; exportez moins de corps.</translation>
+    </message>
+    <message>
+        <source>its border cannot be drawn in its parameters</source>
+        <translation>son bord ne peut pas être tracé dans ses paramètres</translation>
+    </message>
+    <message>
+        <source>its border does not close in its parameters</source>
+        <translation>son bord ne se referme pas dans ses paramètres</translation>
+    </message>
+    <message>
+        <source>its border is too short to be divided</source>
+        <translation>son bord est trop court pour être divisé</translation>
+    </message>
+    <message>
+        <source>a face cannot be drawn: %1</source>
+        <translation>une face ne peut pas être tracée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>an edge does not end</source>
+        <translation>une arête ne se termine pas</translation>
+    </message>
+    <message>
+        <source>two of its edges are too short to be told apart</source>
+        <translation>deux de ses arêtes sont trop courtes pour être distinguées</translation>
+    </message>
+    <message>
+        <source>two of its points lie on each other</source>
+        <translation>deux de ses points coïncident</translation>
+    </message>
+    <message>
+        <source>a triangle in its place has no width</source>
+        <translation>un triangle à sa place n&apos;a pas de largeur</translation>
+    </message>
+    <message>
+        <source>too many triangles would be needed</source>
+        <translation>il faudrait trop de triangles</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>une arête n&apos;a pas de courbe sur sa face</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>la courbe d&apos;une arête sur sa face ne lui correspond pas</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>une face n&apos;a pas de géométrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>une face n&apos;a pas de bord</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>une face est dégénérée</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compressed: %1.</source>
+        <translation>L&apos;image ne peut pas être comprimée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>there is no surface to draw.</source>
+        <translation>il n&apos;y a pas de surface à dessiner.</translation>
+    </message>
+    <message>
+        <source>the picture must have from 1 to %1 pixels on each side.</source>
+        <translation>l&apos;image doit avoir de 1 à %1 pixels de chaque côté.</translation>
+    </message>
+    <message>
+        <source>the directions of view and of up must not be zero.</source>
+        <translation>les directions du regard et du haut ne doivent pas être nulles.</translation>
+    </message>
+    <message>
+        <source>the export asks for more memory than there is; export fewer parts at a time.</source>
+        <translation>l&apos;export demande plus de mémoire qu&apos;il n&apos;y en a&#xa0;; exportez moins de pièces à la fois.</translation>
+    </message>
+    <message>
+        <source>smooth faces go into .step, .iges and .brep files only.</source>
+        <translation>les faces lisses ne vont que dans des fichiers .step, .iges et .brep.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export fewer parts at a time, or with a larger tolerance.</source>
+        <translation>Rien n&apos;a été écrit&#xa0;; exportez moins de pièces à la fois, ou avec une tolérance plus grande.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export the parts one by one to see which one it is, or as a mesh.</source>
+        <translation>Rien n&apos;a été écrit&#xa0;; exportez les pièces une à une pour voir laquelle est en cause, ou comme maillage.</translation>
+    </message>
+    <message>
+        <source>What to write could not be handed over; try again.</source>
+        <translation>Ce qu&apos;il fallait écrire n&apos;a pas pu être transmis&#xa0;; réessayez.</translation>
+    </message>
+    <message>
+        <source>there is nothing to export.</source>
+        <translation>il n&apos;y a rien à exporter.</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Smooth trimmed faces, one for each face of the part as it was opened, at the places where the material has them now. The file is read back and compared.</source>
@@ -1400,339 +1753,42 @@
     </message>
 </context>
 <context>
-    <name>FileWords</name>
+    <name>File</name>
     <message>
-        <source>was inside out and has been turned.</source>
-        <translation>était à l&apos;envers et a été retournée.</translation>
+        <source>the file cannot be written (%1); choose another place or make room.</source>
+        <translation>le fichier ne peut pas être écrit (%1)&#xa0;; choisissez un autre endroit ou faites de la place.</translation>
     </message>
     <message>
-        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
-        <translation>n&apos;est pas une surface fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+        <source>%1: no such file.</source>
+        <translation>%1&#xa0;: ce fichier n&apos;existe pas.</translation>
     </message>
     <message>
-        <source>is an open surface: %1. It is shown and cannot be filled.</source>
-        <translation>est une surface ouverte : %1. Elle est montrée et ne peut pas être remplie.</translation>
+        <source>%1: this is a folder; name a file.</source>
+        <translation>%1&#xa0;: c&apos;est un dossier&#xa0;; indiquez un fichier.</translation>
     </message>
     <message>
-        <source>is not closed: %1. It is shown and cannot be filled.</source>
-        <translation>n&apos;est pas fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+        <source>%1: the file cannot be read; check its permissions.</source>
+        <translation>%1&#xa0;: le fichier ne peut pas être lu&#xa0;; vérifiez ses droits.</translation>
     </message>
     <message>
-        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
-        <translation>est une surface fermée mais pas un solide ; elle est montrée et ne peut pas être remplie.</translation>
+        <source>There is no folder for temporary files; set TMPDIR to one you may write to.</source>
+        <translation>Il n&apos;y a pas de dossier pour les fichiers temporaires&#xa0;; mettez dans TMPDIR un dossier où vous pouvez écrire.</translation>
     </message>
     <message>
-        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
-        <translation>n&apos;a pas pu être couverte d&apos;un réseau fermé de triangles ; elle ne peut pas être remplie.</translation>
+        <source>%1: no temporary file can be made there (%2).</source>
+        <translation>%1&#xa0;: aucun fichier temporaire ne peut y être créé (%2).</translation>
     </message>
     <message>
-        <source>has no volume; it cannot be filled.</source>
-        <translation>n&apos;a pas de volume ; elle ne peut pas être remplie.</translation>
+        <source>The folder for temporary files takes no more; make room there, or set TMPDIR to another folder (%1).</source>
+        <translation>Le dossier des fichiers temporaires n&apos;accepte plus rien&#xa0;; faites-y de la place ou mettez un autre dossier dans TMPDIR (%1).</translation>
     </message>
     <message>
-        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
-        <translation>ne passe pas les contrôles de géométrie ; regardez-la de près avant de vous y fier.</translation>
+        <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
+        <translation>%1&#xa0;: le dossier des fichiers temporaires n&apos;accepte plus rien (%2)&#xa0;; faites-y de la place ou mettez un autre dossier dans TMPDIR.</translation>
     </message>
-    <message>
-        <source>has gaps of up to %1, a hundredth of its size or more.</source>
-        <translation>a des fentes allant jusqu&apos;à %1, un centième de sa taille ou plus.</translation>
-    </message>
-    <message>
-        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
-        <translation>a des faces qui se joignent mal : son volume est incertain de %1.</translation>
-    </message>
-    <message>
-        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
-        <translation>a 1 face pour laquelle aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
-    </message>
-    <message>
-        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
-        <translation>a %1 faces pour lesquelles aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
-    </message>
-    <message>
-        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
-        <translation>est incomplète : %1 faces sur %2 d&apos;une coque ont pu être lues ; les autres sont abîmées dans le fichier.</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
-        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
-        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4 et est plane</translation>
-    </message>
-    <message>
-        <source>1 open edge</source>
-        <translation>1 arête ouverte</translation>
-    </message>
-    <message>
-        <source>%1 open edges</source>
-        <translation>%1 arêtes ouvertes</translation>
-    </message>
-    <message>
-        <source>1 border</source>
-        <translation>1 bord</translation>
-    </message>
-    <message>
-        <source>%1 borders</source>
-        <translation>%1 bords</translation>
-    </message>
-    <message>
-        <source>1 triangle was there twice and removed.</source>
-        <translation>1 triangle était là deux fois et a été enlevé.</translation>
-    </message>
-    <message>
-        <source>%1 triangles were there twice and removed.</source>
-        <translation>%1 triangles étaient là deux fois et ont été enlevés.</translation>
-    </message>
-    <message>
-        <source>The surface was given with both its sides; one of them was removed.</source>
-        <translation>La surface était donnée avec ses deux côtés ; l&apos;un d&apos;eux a été enlevé.</translation>
-    </message>
-    <message>
-        <source>1 pair of triangles back to back was removed.</source>
-        <translation>1 paire de triangles dos à dos a été enlevée.</translation>
-    </message>
-    <message>
-        <source>%1 pairs of triangles back to back were removed.</source>
-        <translation>%1 paires de triangles dos à dos ont été enlevées.</translation>
-    </message>
-    <message>
-        <source>1 triangle faced the wrong way and was turned.</source>
-        <translation>1 triangle était tourné du mauvais côté et a été retourné.</translation>
-    </message>
-    <message>
-        <source>%1 triangles faced the wrong way and were turned.</source>
-        <translation>%1 triangles étaient tournés du mauvais côté et ont été retournés.</translation>
-    </message>
-    <message>
-        <source>1 small hole was closed, which added %1 to the area.</source>
-        <translation>1 petit trou a été fermé, ce qui a ajouté %1 à l&apos;aire.</translation>
-    </message>
-    <message>
-        <source>%1 small holes were closed, which added %2 to the area.</source>
-        <translation>%1 petits trous ont été fermés, ce qui a ajouté %2 à l&apos;aire.</translation>
-    </message>
-    <message>
-        <source>The surface was inside out and has been turned.</source>
-        <translation>La surface était à l&apos;envers et a été retournée.</translation>
-    </message>
-    <message>
-        <source>The solid was inside out and has been turned.</source>
-        <translation>Le solide était à l&apos;envers et a été retourné.</translation>
-    </message>
-    <message>
-        <source>1 shell was inside out and turned.</source>
-        <translation>1 coque était à l&apos;envers et a été retournée.</translation>
-    </message>
-    <message>
-        <source>%1 shells were inside out and turned.</source>
-        <translation>%1 coques étaient à l&apos;envers et ont été retournées.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid.</source>
-        <translation>La surface fermée a été changée en solide.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with 1 void in it.</source>
-        <translation>La surface fermée a été changée en solide, avec 1 vide dedans.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with %1 voids in it.</source>
-        <translation>La surface fermée a été changée en solide, avec %1 vides dedans.</translation>
-    </message>
-    <message>
-        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
-        <translation>1 ouverture plane a été fermée par une face plane, %1 % de l&apos;aire.</translation>
-    </message>
-    <message>
-        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
-        <translation>%1 ouvertures planes ont été fermées par des faces planes, %2 % de l&apos;aire.</translation>
-    </message>
-    <message>
-        <source>Edges that failed the geometry checks were rebuilt.</source>
-        <translation>Des arêtes qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
-    </message>
-    <message>
-        <source>1 face that failed the geometry checks was rebuilt.</source>
-        <translation>1 face qui ne passait pas les contrôles de géométrie a été refaite.</translation>
-    </message>
-    <message>
-        <source>%1 faces that failed the geometry checks were rebuilt.</source>
-        <translation>%1 faces qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1.</source>
-        <translation>1 face séparée a été cousue avec une tolérance de %1.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2.</source>
-        <translation>%1 faces séparées ont été cousues avec une tolérance de %2.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
-        <translation>1 face séparée a été cousue avec une tolérance de %1 ; la plus large fente entre deux est de %2.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
-        <translation>%1 faces séparées ont été cousues avec une tolérance de %2 ; la plus large fente entre deux est de %3.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
-        <translation>%1 : le 3MF ne suit pas le format à 1 endroit ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
-        <translation>%1 : le 3MF ne suit pas le format à %2 endroits ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
-    </message>
-    <message>
-        <source>%1: the file states no length unit; millimetres were taken.</source>
-        <translation>%1 : le fichier n&apos;indique pas d&apos;unité de longueur ; des millimètres ont été pris.</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
-        <translation>%1 : l’entité %2 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
-        <translation>%1 : l’entité %2 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
-        <translation>%1 : l’entité %2 et %3 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %4).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
-        <translation>%1 : l’entité %2 et %3 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %4).</translation>
-    </message>
-    <message>
-        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
-        <translation>l’assemblage renvoie au fichier %1, qui n’est pas là : ses pièces manquent. Placez-le à côté de l’assemblage et rouvrez celui-ci.</translation>
-    </message>
-    <message>
-        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
-        <translation>l’assemblage renvoie à %1 fichiers qui ne sont pas là : %2. Leurs pièces manquent ; placez-les à côté de l’assemblage et rouvrez celui-ci.</translation>
-    </message>
-    <message>
-        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
-        <translation>%1 : le lecteur a échoué sur ce que le fichier dit à côté de ses formes ; celles-ci ont été lues sans noms, couleurs ni assemblages, et sans les autres fichiers auxquels il renvoie.</translation>
-    </message>
-    <message>
-        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
-        <translation>%1 : le fichier mêle les unités de longueur %2 et %3 ; vérifiez les tailles des pièces.</translation>
-    </message>
-    <message>
-        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1 : son schéma &quot;%2&quot; n&apos;est pas fait pour des pièces CAO ; vérifiez que rien ne manque.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
-        <translation>%1 : la pièce fait %2 de long ; si ses longueurs sont en %3, elle fait %4.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
-        <translation>%1 : les pièces font ensemble %2 de long ; si leurs longueurs sont en %3, elles font %4.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
-        <translation>%1 : la pièce fait %2 de long ; si ses longueurs sont en %3, elle fait %4. Ouvrez ce fichier seul pour corriger cela.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
-        <translation>%1 : les pièces font ensemble %2 de long ; si leurs longueurs sont en %3, elles font %4. Ouvrez ce fichier seul pour corriger cela.</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>millimètres</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centimètres</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>mètres</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pouces</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>pieds</translation>
-    </message>
-    <message>
-        <source>micrometres</source>
-        <translation>micromètres</translation>
-    </message>
-    <message>
-        <source>decimetres</source>
-        <translation>décimètres</translation>
-    </message>
-    <message>
-        <source>kilometres</source>
-        <translation>kilomètres</translation>
-    </message>
-    <message>
-        <source>miles</source>
-        <translation>milles</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no triangles.</source>
-        <translation>&quot;%1&quot; n&apos;a pas de triangles.</translation>
-    </message>
-    <message>
-        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>1 forme du fichier STEP n&apos;a pas pu être lue : ses faces sont abîmées ou d&apos;un genre inconnu.</translation>
-    </message>
-    <message>
-        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>%1 formes du fichier STEP n&apos;ont pas pu être lues : leurs faces sont abîmées ou d&apos;un genre inconnu.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was left out: %2.</source>
-        <translation>&quot;%1&quot; a été laissé de côté : %2.</translation>
-    </message>
-    <message>
-        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
-        <translation>sa taille n&apos;est pas finie : des nombres y sont abîmés, ou ses arêtes sont plus petites que 0.1 um et perdues ; vérifiez l&apos;unité de longueur</translation>
-    </message>
-    <message>
-        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
-        <translation>il s&apos;étend à plus de 100 km de l&apos;origine ; vérifiez l&apos;unité de longueur et la position</translation>
-    </message>
-    <message>
-        <source>its faces lead far away from their edges: numbers in it are damaged</source>
-        <translation>ses faces s&apos;éloignent beaucoup de leurs arêtes : des nombres y sont abîmés</translation>
-    </message>
-    <message>
-        <source>it is smaller than a micrometre; check the length unit</source>
-        <translation>il est plus petit qu&apos;un micromètre ; vérifiez l&apos;unité de longueur</translation>
-    </message>
-    <message>
-        <source>its faces and edges are up to %1 apart, at a size of %2</source>
-        <translation>ses faces et arêtes sont écartées de %1 au plus, pour une taille de %2</translation>
-    </message>
-    <message>
-        <source>the solid has no volume</source>
-        <translation>le solide n&apos;a pas de volume</translation>
-    </message>
-    <message>
-        <source>it could not be measured (%1)</source>
-        <translation>il n&apos;a pas pu être mesuré (%1)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; n&apos;est pas simulé : %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
-        <translation>&quot;%1&quot; n&apos;a pas de surface et n&apos;est donc pas montré.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>&quot;%1&quot; n&apos;est pas un solide fermé : il est montré, et non simulé. Fermez ses surfaces et importez-le de nouveau.</translation>
-    </message>
+</context>
+<context>
+    <name>Filling</name>
     <message>
         <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
         <translation>Un espacement de %1 demande plus de %2 objets. Choisissez un espacement plus grand.</translation>
@@ -1750,6 +1806,10 @@
         <translation>La surface n&apos;est pas fermée : %1 arêtes de triangles n&apos;ont pas de partenaire. Fermez les lacunes et importez de nouveau.</translation>
     </message>
     <message>
+        <source>A spacing of %1 cannot be used. Enter a length above 0.</source>
+        <translation>Un espacement de %1 n&apos;est pas utilisable. Saisissez une longueur supérieure à 0.</translation>
+    </message>
+    <message>
         <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
         <translation>La surface ne borne pas de volume : ses trous sont trop grands pour distinguer l&apos;intérieur de l&apos;extérieur. Fermez-les et importez de nouveau.</translation>
     </message>
@@ -1758,256 +1818,116 @@
         <translation>La pièce est trop mince pour un espacement de %1 : aucune cellule ne contient assez de matériau. Choisissez un espacement plus petit.</translation>
     </message>
     <message>
-        <source>its surface passes through itself near %1; other programs may refuse that.</source>
-        <translation>sa surface se traverse elle-même près de %1 ; d&apos;autres programmes peuvent le refuser.</translation>
+        <source>The surface is not closed. Close it and try again.</source>
+        <translation>La surface n&apos;est pas fermée. Fermez-la et réessayez.</translation>
     </message>
     <message>
-        <source>%1 of its faces could not be carried along: %2.</source>
-        <translation>%1 de ses faces n&apos;ont pas pu être entraînées : %2.</translation>
+        <source>The spacing must be greater than 0.</source>
+        <translation>L&apos;espacement doit être supérieur à 0.</translation>
     </message>
     <message>
-        <source>an edge has no curve on its face</source>
-        <translation>une arête n&apos;a pas de courbe sur sa face</translation>
+        <source>The spacing is too small for a part of this size. Choose a larger one.</source>
+        <translation>L&apos;espacement est trop petit pour une pièce de cette taille. Choisissez-en un plus grand.</translation>
     </message>
     <message>
-        <source>an edge has a curve on its face that does not match it</source>
-        <translation>la courbe d&apos;une arête sur sa face ne lui correspond pas</translation>
-    </message>
-    <message>
-        <source>a face has no surface</source>
-        <translation>une face n&apos;a pas de géométrie</translation>
-    </message>
-    <message>
-        <source>a face has no border</source>
-        <translation>une face n&apos;a pas de bord</translation>
-    </message>
-    <message>
-        <source>a face is degenerate</source>
-        <translation>une face est dégénérée</translation>
-    </message>
-    <message>
-        <source>its faces do not fit together any more as they are bent now.</source>
-        <translation>ainsi courbées, ses faces ne s&apos;ajustent plus entre elles.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
-        <translation>« %1 » : la face %2 n&apos;approche pas la peau d&apos;aussi près que visé, %3 mm ; la face %4 en est à %5 mm.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
-        <translation>« %1 » : %2 faces, %3, n&apos;approchent pas la peau d&apos;aussi près que visé, %4 mm ; la face %5 en est à %6 mm.</translation>
-    </message>
-    <message>
-        <source>it came as a mesh, which has no smooth faces.</source>
-        <translation>elle est venue comme maillage, qui n&apos;a pas de faces lisses.</translation>
-    </message>
-    <message>
-        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
-        <translation>des faces qui se rejoignaient en douceur forment maintenant un angle près de %1 ; une tolérance plus petite peut aider.</translation>
-    </message>
-    <message>
-        <source>The file holds %1 parts where %2 were written.</source>
-        <translation>Le fichier contient %1 pièces alors que %2 ont été écrites.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
-        <translation>« %1 » est fissurée mais d&apos;un seul tenant : 1 de ses liaisons est rompue, et la peau enjambe la fissure, étirée à %2 fois sa longueur près de %3.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
-        <translation>« %1 » est fissurée mais d&apos;un seul tenant : %2 de ses liaisons sont rompues, et la peau enjambe la fissure, étirée à %3 fois sa longueur près de %4.</translation>
-    </message>
-    <message>
-        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
-        <translation>trop peu de ses objets tiennent ensemble pour dire comment elle est déformée : elle est écrite dans sa forme au repos, déplacée comme eux.</translation>
-    </message>
-    <message>
-        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
-        <translation>ses fissures n&apos;ont pas pu devenir des surfaces : d&apos;autres morceaux sont écrits avec lui comme un seul ; objets qu&apos;ils contiennent : %1.</translation>
-    </message>
-    <message>
-        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
-        <translation>des morceaux trop petits pour une forme propre sont écrits comme en faisant partie ; objets qu&apos;ils contiennent : %1.</translation>
-    </message>
-    <message>
-        <source>its bent faces were not found again in the file when that was read back.</source>
-        <translation>ses faces déformées n&apos;ont pas été retrouvées dans le fichier relu.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
-        <translation>La simulation a été arrêtée à %1 s : %2 Elle est revenue à %3 s.</translation>
-    </message>
-    <message>
-        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
-        <translation>une position n&apos;est plus un nombre. %1 ou assouplir la matière, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
-        <translation>des objets se déplaçaient à %1 m/s. %2 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>Make the tools slower</source>
-        <translation>Ralentir les outils</translation>
-    </message>
-    <message>
-        <source>Lower gravity</source>
-        <translation>Réduire la gravité</translation>
-    </message>
-    <message>
-        <source>Move bodies and fixtures slower</source>
-        <translation>Déplacer plus lentement les corps et les fixations</translation>
-    </message>
-    <message>
-        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
-        <translation>la matière de %1 a été écrasée ou retournée. Presser moins loin, augmenter le coefficient de Poisson ou la limite d&apos;élasticité, ou remplir la pièce avec un espacement plus petit, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>the body</source>
-        <translation>le corps</translation>
-    </message>
-    <message>
-        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
-        <translation>des objets de %1 se déplaçaient à %2 m/s, et rien dans la scène ne les rend plus rapides que %3 m/s. %4 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
-        <translation>%1 J sont venus de nulle part, sur %2 J dans la scène : les pas ne suivent plus la matière. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
-        <translation>les équations de %1 pas de suite n&apos;ont pas pu être résolues, bien que le dernier n&apos;ait duré que %2 s. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
-        <translation>L&apos;outil &quot;%1&quot; est à %2 mm de profondeur dans %3 : le faire commencer dehors, presser moins loin, le ralentir</translation>
-    </message>
-    <message>
-        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
-        <translation>Choisir un pas de temps plus court pour la mise à l&apos;échelle des masses, qui a ajouté %1 % à la masse</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
-        <translation>il n&apos;y a pas assez de mémoire pour continuer. Fermer d&apos;autres programmes ou remplir la pièce avec un espacement plus grand, puis réinitialiser.</translation>
-    </message>
-    <message>
-        <source>%1 Reset, or go to an earlier moment.</source>
-        <translation>%1 Réinitialiser, ou aller à un instant antérieur.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped: %1</source>
-        <translation>La simulation a été arrêtée : %1</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
-        <translation>L&apos;outil &quot;%1&quot; commence à %2 mm à l&apos;intérieur de %3, qui est repoussé avec une grande force, par pas très courts. Le faire commencer dehors.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
-        <translation>&quot;%1&quot; s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
-    </message>
-    <message>
-        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
-        <translation>Les équations du pas à %1 s n&apos;ont pas pu être résolues : forces et positions sont approximatives à partir de là. Ralentir les outils, ou choisir un pas de temps plus court.</translation>
-    </message>
-    <message>
-        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
-        <translation>le pas de temps choisi de %1 s est plus long que le pas stable de %2 s. En choisir un plus court, ou une matière plus souple ou plus amortie.</translation>
-    </message>
-    <message>
-        <source>the part is torn; this is one of %1 pieces.</source>
-        <translation>la pièce est déchirée ; ceci est l&apos;un de ses %1 morceaux.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
-        <translation>relues dans le fichier, ses faces courbées ne passent pas les contrôles de géométrie.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces leave gaps.</source>
-        <translation>relues dans le fichier, ses faces courbées laissent des jours.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>relues dans le fichier, ses faces courbées s&apos;écartent de la peau jusqu&apos;à %1 mm alors que %2 mm sont permis.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
-        <translation>relues dans le fichier, ses faces courbées enferment un volume qui diffère de %1 % de celui de la peau.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
-        <translation>« %1 » demanderait %2 faces planes, plus que n&apos;en traitent les programmes de CAO ; exportez-la comme maillage.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
-        <translation>« %1 » est un maillage ouvert, que les fichiers de CAO ne peuvent contenir ; masquez-la ou exportez comme maillage.</translation>
-    </message>
-    <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 % trop raide. Remplissez avec un espacement de %4 pour %5 cellules, environ %6 objets.</translation>
+        <source>No sphere has its center inside the part. Choose a smaller spacing.</source>
+        <translation>Aucune sphère n&apos;a son centre dans la pièce. Choisissez un espacement plus petit.</translation>
     </message>
     <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
-        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est beaucoup trop raide. Remplissez avec un espacement de %3 pour %4 cellules, environ %5 objets.</translation>
+        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est beaucoup trop raide. Remplissez avec un espacement de %3 pour %4 cellules ; nombre d&apos;objets : environ %5.</translation>
     </message>
     <message>
-        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
-        <translation>L&apos;énergie est fausse de %1 % de tout ce qui a circulé. Choisissez un pas de temps plus court, ou ralentissez les outils.</translation>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 % trop raide. Remplissez avec un espacement de %4 pour %5 cellules ; nombre d&apos;objets : environ %6.</translation>
     </message>
     <message>
-        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
-        <translation>Des outils ou le sol sont entrés de %1 espacements dans la matière : formes et forces y sont approximatives. Pressez moins loin, ou choisissez un espacement plus petit.</translation>
+        <source>A point of the surface is nowhere.</source>
+        <translation>Un point de la surface n&apos;est nulle part.</translation>
     </message>
     <message>
-        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
-        <translation>La mise à l&apos;échelle a fait %1 % de la masse : ce qui oscille et ce qui est lancé est plus lent qu&apos;il ne le serait. Choisissez pour elle un pas de temps plus court.</translation>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; n&apos;a pas de surface et n&apos;est donc pas montré.</translation>
     </message>
     <message>
-        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Un corps est libre de bouger : tenez-le, ou laissez courir le temps (dynamic) jusqu&apos;à ce qu&apos;il repose sur quelque chose.</translation>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; n&apos;est pas un solide fermé : il est montré, et non simulé. Fermez ses surfaces et importez-le de nouveau.</translation>
     </message>
     <message>
-        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 est rigide et libre de bouger : tenez-le, rendez-le déformable, ou laissez courir le temps (dynamic).</translation>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; n&apos;est pas simulé : %2</translation>
     </message>
     <message>
-        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps (dynamic).</translation>
+        <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>%1 : le fichier ne contient ni solide ni surface ; exportez la pièce comme solide.</translation>
     </message>
     <message>
-        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
-        <translation>%1 : une face de révolution est bordée à travers sa couture, et le fichier ne dit pas de quel côté de son bord elle se trouve ; vérifiez le volume de sa pièce.</translation>
+        <source>%1: no closed body found. Close the surfaces in the CAD program and export again.</source>
+        <translation>%1 : aucun corps fermé trouvé. Fermez les surfaces dans le programme de CAO et exportez de nouveau.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+        <source>The spacing of another filling must be more than 0.</source>
+        <translation>L&apos;espacement d&apos;un autre remplissage doit être supérieur à 0.</translation>
     </message>
     <message>
-        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+        <source>&quot;%1&quot; has no surface that it could be filled from.</source>
+        <translation>&quot;%1&quot; n&apos;a pas de surface à partir de laquelle il pourrait être rempli.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
-        <translation>« %1 » : la face %2 est faite de triangles plans ; ses autres faces sont lisses.</translation>
+        <source>&quot;%1&quot; is arranged as published, which filling anew does not know.</source>
+        <translation>&quot;%1&quot; est disposé comme publié, ce que le nouveau remplissage ne connaît pas.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
-        <translation>« %1 » : les faces %2 sont faites de triangles plans ; ses autres faces sont lisses.</translation>
+        <source>&quot;%1&quot; is not deformable, and keeps its shape.</source>
+        <translation>&quot;%1&quot; n&apos;est pas déformable et garde sa forme.</translation>
     </message>
     <message>
-        <source>its faces were not found again as they were written.</source>
-        <translation>ses faces n’ont pas été retrouvées telles qu’elles ont été écrites.</translation>
+        <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
+        <translation>&quot;%1&quot; est élastique : il garde sa forme au repos et n&apos;est pas rempli de nouveau. Rendez-le plastique, ou renormalisez-le.</translation>
     </message>
     <message>
-        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>relues depuis le fichier, ses faces à facettes s’écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
+        <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
+        <translation>&quot;%1&quot; a des fissures, qu&apos;un autre remplissage estomperait : seul ce qui cicatrise est rempli de nouveau avec elles.</translation>
     </message>
     <message>
-        <source>read back from the file, its bent faces are inside out.</source>
-        <translation>relues du fichier, ses faces courbées sont retournées.</translation>
+        <source>&quot;%1&quot; came apart after its skin was drawn out far: pieces of such a body are not filled anew.</source>
+        <translation>&quot;%1&quot; s&apos;est séparé après que sa peau a été très étirée : les morceaux d&apos;un tel corps ne sont pas remplis de nouveau.</translation>
     </message>
     <message>
-        <source>other programs may read it inside out, as it came back here.</source>
-        <translation>d’autres programmes peuvent la lire retournée, comme elle est revenue ici.</translation>
+        <source>&quot;%1&quot; has cracks that gape, which another filling would close.</source>
+        <translation>&quot;%1&quot; a des fissures béantes, qu&apos;un autre remplissage fermerait.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
+        <translation>&quot;%1&quot; a une charge sur un pavé, qui ne dit rien de sa forme actuelle. Mettez-la sur des faces.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; moves out of all bounds.</source>
+        <translation>&quot;%1&quot; se déplace au-delà de toute limite.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is still being pushed out of a tool that was put into it.</source>
+        <translation>&quot;%1&quot; est encore repoussé hors d&apos;un outil qui a été placé dedans.</translation>
+    </message>
+    <message>
+        <source>its cracks gape, and would be filled.</source>
+        <translation>ses fissures sont béantes et seraient remplies.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be filled anew: %2</source>
+        <translation>&quot;%1&quot; n&apos;a pas pu être rempli de nouveau : %2</translation>
+    </message>
+    <message>
+        <source>cracks touch the surface without crossing it</source>
+        <translation>des fissures touchent la surface sans la traverser</translation>
+    </message>
+    <message>
+        <source>what of it has grown together could not be followed back to what was opened.</source>
+        <translation>ce qui s&apos;est ressoudé n&apos;a pas pu être suivi jusqu&apos;à ce qui a été ouvert.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made surfaces.</source>
+        <translation>ses fissures n&apos;ont pas pu devenir des surfaces.</translation>
     </message>
 </context>
 <context>
@@ -2027,6 +1947,29 @@
     <message>
         <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
         <translation>%1 ne peut pas être créé (%2). Choisissez un autre nom pour le dossier des images.</translation>
+    </message>
+</context>
+<context>
+    <name>Fixture</name>
+    <message>
+        <source>Fixture &quot;%1&quot; names a body that does not exist.</source>
+        <translation>La fixation &quot;%1&quot; nomme un corps qui n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>There is no fixture number %1.</source>
+        <translation>Il n&apos;y a pas de fixation numéro %1.</translation>
+    </message>
+    <message>
+        <source>A fixture must not move faster than 100 m/s.</source>
+        <translation>Une fixation ne doit pas se déplacer à plus de 100 m/s.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must turn about a place, by more than 0, and no faster than 10000 rad/s.</source>
+        <translation>La fixation &quot;%1&quot; doit tourner autour d&apos;un lieu, de plus de 0, et pas plus vite que 10000 rad/s.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must not move faster than 100 m/s.</source>
+        <translation>La fixation &quot;%1&quot; ne doit pas se déplacer à plus de 100 m/s.</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2288,161 @@
     </message>
 </context>
 <context>
+    <name>History</name>
+    <message>
+        <source>a number of an object is none</source>
+        <translation>un nombre d&apos;un objet n&apos;en est pas un</translation>
+    </message>
+    <message>
+        <source>a filling has no lattice</source>
+        <translation>un remplissage n&apos;a pas de réseau</translation>
+    </message>
+    <message>
+        <source>a connection of a filling leads nowhere</source>
+        <translation>une liaison d&apos;un remplissage ne mène nulle part</translation>
+    </message>
+    <message>
+        <source>a filling is not as it can be</source>
+        <translation>un remplissage est tel qu&apos;il ne peut pas être</translation>
+    </message>
+    <message>
+        <source>a former shape has too many before it</source>
+        <translation>trop de formes précèdent une forme antérieure</translation>
+    </message>
+    <message>
+        <source>a former shape has no carriers</source>
+        <translation>une forme antérieure n&apos;a pas de porteurs</translation>
+    </message>
+    <message>
+        <source>a former shape is none</source>
+        <translation>une forme antérieure n&apos;en est pas une</translation>
+    </message>
+    <message>
+        <source>a former shape was parted where it could not be</source>
+        <translation>une forme antérieure a été séparée où elle ne pouvait pas l&apos;être</translation>
+    </message>
+    <message>
+        <source>it ends early</source>
+        <translation>les données s&apos;arrêtent trop tôt</translation>
+    </message>
+    <message>
+        <source>a yes or no is neither</source>
+        <translation>un oui ou non n&apos;est ni l&apos;un ni l&apos;autre</translation>
+    </message>
+    <message>
+        <source>a choice is none of those there are</source>
+        <translation>un choix n&apos;est aucun de ceux qui existent</translation>
+    </message>
+    <message>
+        <source>The history has no entries.</source>
+        <translation>L&apos;historique n&apos;a pas d&apos;entrées.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: its entry %1 follows one that comes later.</source>
+        <translation>L&apos;historique est endommagé : son entrée %1 suit une entrée qui vient plus tard.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: it is at an entry that it does not have.</source>
+        <translation>L&apos;historique est endommagé : il est à une entrée qu&apos;il n&apos;a pas.</translation>
+    </message>
+    <message>
+        <source>Repeating what was done came to another state than it did then, as it does with another version of Knead. Go to an entry that is kept.</source>
+        <translation>Répéter ce qui a été fait a conduit à un autre état qu&apos;alors, comme cela arrive avec une autre version de Knead. Allez à une entrée qui est conservée.</translation>
+    </message>
+    <message>
+        <source>The project has no history: nothing was done in it yet that could be repeated.</source>
+        <translation>Le projet n&apos;a pas d&apos;historique : rien n&apos;y a encore été fait qui puisse être répété.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: an entry begins with a start that is not there.</source>
+        <translation>L&apos;historique est endommagé : une entrée commence par un départ qui n&apos;est pas là.</translation>
+    </message>
+    <message>
+        <source>The entry before it was not reached.</source>
+        <translation>L&apos;entrée précédente n&apos;a pas été atteinte.</translation>
+    </message>
+    <message>
+        <source>it does not begin as one</source>
+        <translation>il ne commence pas comme un moment</translation>
+    </message>
+    <message>
+        <source>it was written by another version of Knead</source>
+        <translation>une autre version de Knead l&apos;a écrit</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were written</source>
+        <translation>ses octets ne sont pas ceux qui ont été écrits</translation>
+    </message>
+    <message>
+        <source>This moment of the history cannot be read: %1. Go to an earlier one and repeat from there.</source>
+        <translation>Ce moment de l&apos;historique ne peut pas être lu : %1. Allez à un moment antérieur et répétez à partir de là.</translation>
+    </message>
+    <message>
+        <source>it has another number of bodies than the scene</source>
+        <translation>il a un autre nombre de corps que la scène</translation>
+    </message>
+    <message>
+        <source>a tool cannot be simulated</source>
+        <translation>un outil ne peut pas être simulé</translation>
+    </message>
+    <message>
+        <source>a fixture cannot be simulated</source>
+        <translation>une fixation ne peut pas être simulée</translation>
+    </message>
+    <message>
+        <source>a load cannot be simulated</source>
+        <translation>une charge ne peut pas être simulée</translation>
+    </message>
+    <message>
+        <source>a re-normalization under way is out of range</source>
+        <translation>une renormalisation en cours est hors limites</translation>
+    </message>
+    <message>
+        <source>a contact or joint is out of range</source>
+        <translation>un contact ou un collage est hors limites</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>un nombre est hors limites</translation>
+    </message>
+    <message>
+        <source>a material is out of range</source>
+        <translation>un matériau est hors limites</translation>
+    </message>
+    <message>
+        <source>objects are not where they can be</source>
+        <translation>des objets sont où ils ne peuvent pas être</translation>
+    </message>
+    <message>
+        <source>a mass is out of range</source>
+        <translation>une masse est hors limites</translation>
+    </message>
+    <message>
+        <source>connections are not as they can be</source>
+        <translation>des liaisons sont telles qu&apos;elles ne peuvent pas être</translation>
+    </message>
+    <message>
+        <source>it goes on after its end</source>
+        <translation>les données continuent après leur fin</translation>
+    </message>
+    <message>
+        <source>a tool is made of a part that the document does not have</source>
+        <translation>un outil est fait d&apos;une pièce que le document n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>a motion is none of those there are</source>
+        <translation>un mouvement n&apos;est aucun de ceux qui existent</translation>
+    </message>
+    <message>
+        <source>The recording does not belong to this scene: it goes on at step %1, and the run is at step %2. Start from the scene it was made with.</source>
+        <translation>L&apos;enregistrement n&apos;appartient pas à cette scène : il continue au pas %1, et la simulation est au pas %2. Partez de la scène avec laquelle il a été fait.</translation>
+    </message>
+    <message>
+        <source>The moment belongs to other bodies than these. Nothing was changed.</source>
+        <translation>Le moment appartient à d&apos;autres corps que ceux-ci. Rien n&apos;a été changé.</translation>
+    </message>
+</context>
+<context>
     <name>HistoryPanel</name>
     <message>
         <source>%1 kB</source>
@@ -2456,6 +2554,484 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Begin with an example</source>
         <translation>Commencer par un exemple</translation>
+    </message>
+</context>
+<context>
+    <name>Iges</name>
+    <message>
+        <source>line %1 of the IGES file is not in 80 columns; the file is damaged, get it again.</source>
+        <translation>la ligne %1 du fichier IGES n&apos;est pas sur 80 colonnes&#xa0;; le fichier est abîmé, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the IGES file ends before its last line (T); it is cut off, get it again.</source>
+        <translation>le fichier IGES s&apos;arrête avant sa dernière ligne (T)&#xa0;; il est tronqué, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the IGES file lacks lines of its section %1; it is damaged, get it again.</source>
+        <translation>il manque au fichier IGES des lignes de sa section %1&#xa0;; il est abîmé, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>a text in the IGES file claims to be %1 letters long, more than there are; the file is damaged.</source>
+        <translation>un texte du fichier IGES se dit long de %1 lettres, plus qu&apos;il n&apos;y en a&#xa0;; le fichier est abîmé.</translation>
+    </message>
+    <message>
+        <source>the IGES file has &quot;%1&quot; in place of a number; it is damaged, export it again.</source>
+        <translation>le fichier IGES contient «&#xa0;%1&#xa0;» à la place d&apos;un nombre&#xa0;; il est abîmé, exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>an entity of type %1 in the IGES file claims %2 values and has %3; the file is damaged.</source>
+        <translation>une entité de type %1 du fichier IGES annonce %2 valeurs et en a %3&#xa0;; le fichier est abîmé.</translation>
+    </message>
+    <message>
+        <source>line %1 of section D of the IGES file has another number; lines are lost, get the file again.</source>
+        <translation>la ligne %1 de la section D du fichier IGES a un autre numéro&#xa0;; des lignes sont perdues, procurez-vous le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>has its values twice</source>
+        <translation>a deux fois ses valeurs</translation>
+    </message>
+    <message>
+        <source>is of another type where its values are</source>
+        <translation>est d&apos;un autre type là où sont ses valeurs</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file holds itself, or the entities are nested more than %2 deep; export it again.</source>
+        <translation>l&apos;entité %1 du fichier IGES se contient elle-même, ou les entités sont imbriquées sur plus de %2 niveaux&#xa0;; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>refers to one without values</source>
+        <translation>renvoie à une entité sans valeurs</translation>
+    </message>
+    <message>
+        <source>refers to a vertex or edge that is not there</source>
+        <translation>renvoie à un sommet ou une arête qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>has %1 values where %2 are needed</source>
+        <translation>a %1 valeurs là où il en faut %2</translation>
+    </message>
+    <message>
+        <source>states an impossible count</source>
+        <translation>indique un nombre impossible</translation>
+    </message>
+    <message>
+        <source>refers to something of the wrong kind or nothing at all</source>
+        <translation>renvoie à quelque chose de faux ou à rien</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file (type %2) %3; the file is damaged, export it again.</source>
+        <translation>l&apos;entité %1 du fichier IGES (type %2) %3&#xa0;; le fichier est abîmé, exportez-le de nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>Import</name>
+    <message>
+        <source>the file asks for more memory than there is; it is damaged or far too detailed.</source>
+        <translation>le fichier demande plus de mémoire qu&apos;il n&apos;y en a&#xa0;; il est abîmé ou bien trop détaillé.</translation>
+    </message>
+    <message>
+        <source>the CAD reader gave up (%1); the file is damaged, export it again.</source>
+        <translation>le lecteur de CAO a abandonné (%1)&#xa0;; le fichier est abîmé, exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>the assembly is nested more than %1 levels deep; export a part of it.</source>
+        <translation>l&apos;assemblage est imbriqué sur plus de %1 niveaux&#xa0;; exportez-en une partie.</translation>
+    </message>
+    <message>
+        <source>the assembly has more than %1 parts; export the parts you need.</source>
+        <translation>l&apos;assemblage a plus de %1 pièces&#xa0;; exportez celles qu&apos;il vous faut.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1 : le fichier mêle les unités de longueur %2 et %3 ; vérifiez les tailles des pièces.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1 : son schéma &quot;%2&quot; n&apos;est pas fait pour des pièces CAO ; vérifiez que rien ne manque.</translation>
+    </message>
+    <message>
+        <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
+        <translation>le texte STEP a des erreurs que le lecteur ne peut surmonter&#xa0;; exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>an assembly in the file holds itself; export the file again, or its parts one by one.</source>
+        <translation>un assemblage du fichier se contient lui-même&#xa0;; exportez le fichier de nouveau, ou ses pièces une à une.</translation>
+    </message>
+    <message>
+        <source>the assembly unfolds to more than %1 parts; export the parts you need.</source>
+        <translation>l&apos;assemblage se déploie en plus de %1 pièces&#xa0;; exportez celles qu&apos;il vous faut.</translation>
+    </message>
+    <message>
+        <source>no shape of the STEP file could be made; export the file again.</source>
+        <translation>aucune forme du fichier STEP n&apos;a pu être faite&#xa0;; exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>the IGES text has errors that the reader cannot get over; export the file again, best as STEP.</source>
+        <translation>le texte IGES a des erreurs que le lecteur ne peut surmonter&#xa0;; exportez le fichier de nouveau, de préférence en STEP.</translation>
+    </message>
+    <message>
+        <source>no shape of the IGES file could be made; export the file again, best as STEP.</source>
+        <translation>aucune forme du fichier IGES n&apos;a pu être faite&#xa0;; exportez le fichier de nouveau, de préférence en STEP.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged; get it again.</source>
+        <translation>le fichier BREP est tronqué ou abîmé&#xa0;; procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the BREP file is damaged, or newer than the reader; save it again in an older version.</source>
+        <translation>le fichier BREP est abîmé, ou plus récent que le lecteur&#xa0;; enregistrez-le de nouveau dans une version plus ancienne.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Le solide était à l&apos;envers et a été retourné.</translation>
+    </message>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>a des faces qui se joignent mal : son volume est incertain de %1.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>est une surface ouverte : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>n&apos;est pas fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>est une surface fermée mais pas un solide ; elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>n&apos;a pas pu être couverte d&apos;un réseau fermé de triangles ; elle ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>ne passe pas les contrôles de géométrie ; regardez-la de près avant de vous y fier.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>a des fentes allant jusqu&apos;à %1, un centième de sa taille ou plus.</translation>
+    </message>
+    <message>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>a 1 face pour laquelle aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
+    </message>
+    <message>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>a %1 faces pour lesquelles aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
+    </message>
+    <message>
+        <source>there is no part or assembly &quot;%1&quot; in it; knead info --json lists the paths of all parts.</source>
+        <translation>il n&apos;y a ni pièce ni assemblage «&#xa0;%1&#xa0;» dedans&#xa0;; knead info --json donne les chemins de toutes les pièces.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>sa taille n&apos;est pas finie : des nombres y sont abîmés, ou ses arêtes sont plus petites que 0.1 um et perdues ; vérifiez l&apos;unité de longueur</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>il s&apos;étend à plus de 100 km de l&apos;origine ; vérifiez l&apos;unité de longueur et la position</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>ses faces s&apos;éloignent beaucoup de leurs arêtes : des nombres y sont abîmés</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>il est plus petit qu&apos;un micromètre ; vérifiez l&apos;unité de longueur</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>ses faces et arêtes sont écartées de %1 au plus, pour une taille de %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>le solide n&apos;a pas de volume</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; a été laissé de côté : %2.</translation>
+    </message>
+    <message>
+        <source>the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>le fichier ne contient ni solide ni surface&#xa0;; exportez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>%1 Of %2 parts like that none is left.</source>
+        <translation>%1 De %2 pièces comme celle-ci, il n&apos;en reste aucune.</translation>
+    </message>
+    <message>
+        <source>this version of BREP is unknown (&quot;%1&quot;); save the file in an older version.</source>
+        <translation>cette version de BREP est inconnue («&#xa0;%1&#xa0;»)&#xa0;; enregistrez le fichier dans une version plus ancienne.</translation>
+    </message>
+    <message>
+        <source>the BREP file states an impossible number of %1; it is damaged, get it again.</source>
+        <translation>le fichier BREP indique un nombre impossible de %1&#xa0;; il est abîmé, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged: sections are missing; get it again.</source>
+        <translation>le fichier BREP est tronqué ou abîmé&#xa0;: il manque des sections&#xa0;; procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened; check that you may read it.</source>
+        <translation>le fichier ne peut pas être ouvert&#xa0;; vérifiez que vous pouvez le lire.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; the disk or the connection to it failed.</source>
+        <translation>le fichier ne peut pas être lu&#xa0;; le disque ou la connexion a fait défaut.</translation>
+    </message>
+    <message>
+        <source>the file does not exist.</source>
+        <translation>le fichier n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened (%1).</source>
+        <translation>le fichier ne peut pas être ouvert (%1).</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file.</source>
+        <translation>c&apos;est un dossier, pas un fichier.</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file.</source>
+        <translation>ce n&apos;est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>le fichier est vide.</translation>
+    </message>
+    <message>
+        <source>this is a JSON text, but no glTF (&quot;asset&quot; is missing in it); export the part as STEP.</source>
+        <translation>c&apos;est un texte JSON, mais pas un glTF («&#xa0;asset&#xa0;» y manque)&#xa0;; exportez la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>this is a text, but none of %1; export the part as STEP.</source>
+        <translation>c&apos;est un texte, mais d&apos;aucun de ces formats : %1 ; exportez la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>the content is none of %1; export the part as STEP.</source>
+        <translation>le contenu n&apos;est d&apos;aucun de ces formats : %1 ; exportez la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>est incomplète : %1 faces sur %2 d&apos;une coque ont pu être lues ; les autres sont abîmées dans le fichier.</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>il n&apos;a pas pu être mesuré (%1)</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive gzip&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is a bzip2 archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive bzip2&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is a 7z archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive 7z&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is an xz archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive xz&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is a zstd archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive zstd&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is a rar archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive rar&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>this is a tar archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive tar&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.</source>
+        <translation>le texte est en UTF-16&#xa0;; enregistrez-le comme texte simple (ASCII ou UTF-8) et rouvrez-le.</translation>
+    </message>
+    <message>
+        <source>this is a PDF document; ask for the STEP file of the part.</source>
+        <translation>c&apos;est un document PDF&#xa0;; demandez le fichier STEP de la pièce.</translation>
+    </message>
+    <message>
+        <source>this is a picture; ask for the STEP file of the part.</source>
+        <translation>c&apos;est une image&#xa0;; demandez le fichier STEP de la pièce.</translation>
+    </message>
+    <message>
+        <source>this is a database, not a CAD or mesh file.</source>
+        <translation>c&apos;est une base de données, pas un fichier de CAO ou de maillage.</translation>
+    </message>
+    <message>
+        <source>this is a native file of another program; export it as STEP there.</source>
+        <translation>c&apos;est un fichier propre à un autre programme&#xa0;; exportez-le en STEP là-bas.</translation>
+    </message>
+    <message>
+        <source>this is an AutoCAD drawing (DWG); export the part as STEP there.</source>
+        <translation>c&apos;est un dessin AutoCAD (DWG)&#xa0;; exportez-y la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>this is a program, not a CAD or mesh file.</source>
+        <translation>c&apos;est un programme, pas un fichier de CAO ou de maillage.</translation>
+    </message>
+    <message>
+        <source>this is a web page, not a CAD file; the download may have failed.</source>
+        <translation>c&apos;est une page web, pas un fichier de CAO&#xa0;; le téléchargement a peut-être échoué.</translation>
+    </message>
+    <message>
+        <source>this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).</source>
+        <translation>c&apos;est du STEP en XML (partie 28, stpx), qui n&apos;est pas lu ici&#xa0;; exportez la pièce comme texte STEP (stp).</translation>
+    </message>
+    <message>
+        <source>this is an XML text and not one of the files that are read here; export the part as STEP.</source>
+        <translation>c&apos;est un texte XML et pas l&apos;un des fichiers lus ici&#xa0;; exportez la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that is cut off or damaged; get it again.</source>
+        <translation>c&apos;est une archive zip tronquée ou abîmée&#xa0;; procurez-la-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>this is a Word document; ask for the STEP file of the part.</source>
+        <translation>c&apos;est un document Word&#xa0;; demandez le fichier STEP de la pièce.</translation>
+    </message>
+    <message>
+        <source>this is an Excel workbook; ask for the STEP file of the part.</source>
+        <translation>c&apos;est un classeur Excel&#xa0;; demandez le fichier STEP de la pièce.</translation>
+    </message>
+    <message>
+        <source>this is a PowerPoint presentation; ask for the STEP file of the part.</source>
+        <translation>c&apos;est une présentation PowerPoint&#xa0;; demandez le fichier STEP de la pièce.</translation>
+    </message>
+    <message>
+        <source>this is a FreeCAD document; export the part as STEP there.</source>
+        <translation>c&apos;est un document FreeCAD&#xa0;; exportez-y la pièce en STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that holds &quot;%1&quot; (compressed STEP, stpz); unpack it and open that file.</source>
+        <translation>c&apos;est une archive zip qui contient «&#xa0;%1&#xa0;» (STEP comprimé, stpz)&#xa0;; décompressez-la et ouvrez ce fichier.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive; unpack it and open the file inside.</source>
+        <translation>c&apos;est une archive zip&#xa0;; décompressez-la et ouvrez le fichier qu&apos;elle contient.</translation>
+    </message>
+    <message>
+        <source>the %1 file is damaged and cannot be read; export it again.</source>
+        <translation>le fichier %1 est abîmé et ne peut pas être lu&#xa0;; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>the GLB is damaged, or of another version than 2; export it again as glTF 2.0.</source>
+        <translation>le GLB est abîmé, ou d&apos;une autre version que 2&#xa0;; exportez-le de nouveau en glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the GLB is cut off or damaged; get it again.</source>
+        <translation>le GLB est tronqué ou abîmé&#xa0;; procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version unknown, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>c&apos;est un glTF de version inconnue, mais seule la 2 peut être lue&#xa0;; exportez-le de nouveau en glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version %1, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>c&apos;est un glTF de version %1, mais seule la 2 peut être lue&#xa0;; exportez-le de nouveau en glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the glTF is compressed (%1), which is not read here; export it without compression.</source>
+        <translation>le glTF est comprimé (%1), ce qui n&apos;est pas lu ici&#xa0;; exportez-le sans compression.</translation>
+    </message>
+    <message>
+        <source>the glTF keeps its numbers in &quot;%1&quot;, which is not beside it; put it there.</source>
+        <translation>le glTF garde ses nombres dans «&#xa0;%1&#xa0;», qui n&apos;est pas à côté&#xa0;; placez-le là.</translation>
+    </message>
+    <message>
+        <source>a node of the glTF is in two others; the file is damaged, export it again.</source>
+        <translation>un nœud du glTF est dans deux autres&#xa0;; le fichier est abîmé, exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>nodes of the glTF hold themselves or are nested more than %1 deep; export it again.</source>
+        <translation>des nœuds du glTF se contiennent eux-mêmes ou sont imbriqués sur plus de %1 niveaux&#xa0;; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>the glTF file is cut off or damaged; get it again.</source>
+        <translation>le fichier glTF est tronqué ou abîmé&#xa0;; procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the %1 file has triangles with corners that are not there; it is damaged, get it again.</source>
+        <translation>le fichier %1 a des triangles dont des sommets n&apos;existent pas&#xa0;; il est abîmé, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>n&apos;est pas une surface fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>n&apos;a pas de volume ; elle ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>the line &quot;%1&quot; in the header of the PLY file is damaged; get it again.</source>
+        <translation>la ligne «&#xa0;%1&#xa0;» de l&apos;en-tête du fichier PLY est abîmée&#xa0;; procurez-vous le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>the header of the PLY file has no end; it is cut off or damaged, get it again.</source>
+        <translation>l&apos;en-tête du fichier PLY n&apos;a pas de fin&#xa0;; il est tronqué ou abîmé, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the PLY file holds fewer numbers than its header promises; it is cut off, get it again.</source>
+        <translation>le fichier PLY contient moins de nombres que son en-tête n&apos;en promet&#xa0;; il est tronqué, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1 : le 3MF ne suit pas le format à 1 endroit ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1 : le 3MF ne suit pas le format à %2 endroits ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
+    </message>
+    <message>
+        <source>the 3MF builds no object; export it again with the parts in its build.</source>
+        <translation>le 3MF ne construit aucun objet&#xa0;; exportez-le de nouveau avec les pièces dans sa construction.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than %1 objects, or nests them more than %2 deep; export the parts you need.</source>
+        <translation>le 3MF se déploie en plus de %1 objets, ou les imbrique sur plus de %2 niveaux&#xa0;; exportez les pièces qu&apos;il vous faut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; n&apos;a pas de triangles.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
+        <translation>le 3MF se déploie en plus de 200 millions de triangles&#xa0;; exportez les pièces qu&apos;il vous faut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length unit; choose one of %2.</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une unité de longueur&#xa0;; choisissez-en une parmi %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; the file is damaged, or needs a longer time limit.</source>
+        <translation>Rien n&apos;a été importé&#xa0;; le fichier est abîmé, ou demande une limite de temps plus longue.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; export the file again, best as STEP.</source>
+        <translation>Rien n&apos;a été importé&#xa0;; exportez le fichier de nouveau, de préférence en STEP.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was imported; try again.</source>
+        <translation>le résultat du lecteur est abîmé (%1). Rien n&apos;a été importé&#xa0;; réessayez.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1 : le lecteur a échoué sur ce que le fichier dit à côté de ses formes ; celles-ci ont été lues sans noms, couleurs ni assemblages, et sans les autres fichiers auxquels il renvoie.</translation>
+    </message>
+    <message>
+        <source>There is no file to open.</source>
+        <translation>Il n&apos;y a pas de fichier à ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -2781,6 +3357,37 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Load</name>
+    <message>
+        <source>A load must not be larger than 1e12 N, N m or Pa.</source>
+        <translation>Une charge ne doit pas dépasser 1e12 N, N m ou Pa.</translation>
+    </message>
+    <message>
+        <source>A load must rise within 0 to 3600 s.</source>
+        <translation>Une charge doit monter en 0 à 3600 s.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; acts on nothing.</source>
+        <translation>La charge &quot;%1&quot; n&apos;agit sur rien.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names an object that does not exist.</source>
+        <translation>La charge &quot;%1&quot; nomme un objet qui n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; has an area that is no number.</source>
+        <translation>La charge &quot;%1&quot; a une aire qui n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names a body that does not exist.</source>
+        <translation>La charge &quot;%1&quot; nomme un corps qui n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>There is no load number %1.</source>
+        <translation>Il n&apos;y a pas de charge numéro %1.</translation>
+    </message>
+</context>
+<context>
     <name>LogPanel</name>
     <message>
         <source>Warning: %1</source>
@@ -2908,6 +3515,33 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Select something first.</source>
         <translation>Sélectionnez d&apos;abord quelque chose.</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>%1 is %2; it must lie between %3 and %4.</source>
+        <translation>%1 : %2 n&apos;est pas possible, il faut une valeur entre %3 et %4.</translation>
+    </message>
+    <message>
+        <source>The region names the object %1; the body has %2.</source>
+        <translation>La région nomme l&apos;objet %1 ; le corps en a %2.</translation>
+    </message>
+    <message>
+        <source>A body can be made of at most 255 different materials.</source>
+        <translation>Un corps peut être fait d&apos;au plus 255 matériaux différents.</translation>
+    </message>
+    <message>
+        <source>A rigid body has no stress to lose. Make it deformable first.</source>
+        <translation>Un corps rigide n&apos;a pas de contrainte à perdre. Rendez-le d&apos;abord déformable.</translation>
+    </message>
+    <message>
+        <source>Re-normalization takes 0 to 3600 s.</source>
+        <translation>La renormalisation prend de 0 à 3600 s.</translation>
+    </message>
+    <message>
+        <source>There is no object number %1.</source>
+        <translation>Il n&apos;y a pas d&apos;objet numéro %1.</translation>
     </message>
 </context>
 <context>
@@ -3808,6 +4442,21 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Number</name>
+    <message>
+        <source>%1 billion</source>
+        <translation>%1 milliards</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 millions</translation>
+    </message>
+    <message>
+        <source>%1 thousand</source>
+        <translation>%1 mille</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4268,6 +4917,245 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Project</name>
+    <message>
+        <source>what was done last</source>
+        <translation>ce qui a été fait en dernier</translation>
+    </message>
+    <message>
+        <source>the state after &quot;%1&quot;</source>
+        <translation>l&apos;état après «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a number in the table blobs is out of range</source>
+        <translation>un nombre de la table blobs est hors limites</translation>
+    </message>
+    <message>
+        <source>a row of the table blobs cannot be unpacked</source>
+        <translation>une ligne de la table blobs ne peut pas être décomprimée</translation>
+    </message>
+    <message>
+        <source>pieces of the table blobs are mixed up</source>
+        <translation>des morceaux de la table blobs sont mélangés</translation>
+    </message>
+    <message>
+        <source>Another window works on this: discard it there.</source>
+        <translation>Une autre fenêtre y travaille&#xa0;: abandonnez-le là-bas.</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>cela ne peut pas être décomprimé</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>ce fichier n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a project.</source>
+        <translation>c&apos;est un dossier, pas un projet.</translation>
+    </message>
+    <message>
+        <source>this is no file, and no project either.</source>
+        <translation>ce n&apos;est pas un fichier, ni un projet.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions.</source>
+        <translation>le fichier ne peut pas être lu&#xa0;; vérifiez ses droits.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>le fichier est vide.</translation>
+    </message>
+    <message>
+        <source>this is not a Knead project.</source>
+        <translation>ce n&apos;est pas un projet Knead.</translation>
+    </message>
+    <message>
+        <source>this is a database of another program, not a Knead project.</source>
+        <translation>c&apos;est une base de données d&apos;un autre programme, pas un projet Knead.</translation>
+    </message>
+    <message>
+        <source>%1: the project is damaged: %2. What is whole can be rescued.</source>
+        <translation>%1&#xa0;: le projet est abîmé&#xa0;: %2. Ce qui est intact peut être sauvé.</translation>
+    </message>
+    <message>
+        <source>there is a folder of this name; choose another name.</source>
+        <translation>il y a un dossier de ce nom&#xa0;; choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>the file is read-only; save the project under another name.</source>
+        <translation>le fichier est en lecture seule&#xa0;; enregistrez le projet sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>ses tables ne sont pas celles d&apos;un projet</translation>
+    </message>
+    <message>
+        <source>a newer Knead saved this project (version %1 of the file; this program reads up to %2). Update Knead to open it.</source>
+        <translation>un Knead plus récent a enregistré ce projet (version %1 du fichier&#xa0;; ce programme lit jusqu&apos;à la %2). Mettez Knead à jour pour l&apos;ouvrir.</translation>
+    </message>
+    <message>
+        <source>what was written cannot be read back: %1</source>
+        <translation>ce qui a été écrit ne peut pas être relu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>nothing of this project can be read any more; open a copy of it, or the part that it was made from.</source>
+        <translation>plus rien de ce projet ne peut être lu&#xa0;; ouvrez-en une copie, ou la pièce dont il est issu.</translation>
+    </message>
+    <message>
+        <source>another window works on it. Close it there, or open a copy.</source>
+        <translation>une autre fenêtre y travaille. Fermez-le là-bas, ou ouvrez une copie.</translation>
+    </message>
+    <message>
+        <source>another window of this program works on it. Close it there, or open a copy.</source>
+        <translation>une autre fenêtre de ce programme y travaille. Fermez-le là-bas, ou ouvrez une copie.</translation>
+    </message>
+    <message>
+        <source>another window works on it (process %1 on %2, since %3). Close it there, or open a copy.</source>
+        <translation>une autre fenêtre y travaille (processus %1 sur %2, depuis %3). Fermez-le là-bas, ou ouvrez une copie.</translation>
+    </message>
+    <message>
+        <source>a fixture is of a body that is not there</source>
+        <translation>une fixation est d&apos;un corps qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>a fixture has objects that are not there</source>
+        <translation>une fixation a des objets qui n&apos;existent pas</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>un nombre d&apos;éléments est négatif</translation>
+    </message>
+    <message>
+        <source>rows of the table contents are mixed up</source>
+        <translation>des lignes de la table contents sont mélangées</translation>
+    </message>
+    <message>
+        <source>the number of rows of the table %1</source>
+        <translation>le nombre de lignes de la table %1</translation>
+    </message>
+    <message>
+        <source>the table %1</source>
+        <translation>la table %1</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>le modèle</translation>
+    </message>
+    <message>
+        <source>tool part %1</source>
+        <translation>pièce outil %1</translation>
+    </message>
+    <message>
+        <source>start state %1</source>
+        <translation>état de départ %1</translation>
+    </message>
+    <message>
+        <source>rows of the table bodies are mixed up</source>
+        <translation>des lignes de la table bodies sont mélangées</translation>
+    </message>
+    <message>
+        <source>a body is of a part that is not there</source>
+        <translation>un corps est d&apos;une pièce qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>a region has objects that are not there</source>
+        <translation>une région a des objets qui n&apos;existent pas</translation>
+    </message>
+    <message>
+        <source>entry %1</source>
+        <translation>entrée %1</translation>
+    </message>
+    <message>
+        <source>which entry was shown</source>
+        <translation>quelle entrée était montrée</translation>
+    </message>
+    <message>
+        <source>that entry is missing</source>
+        <translation>cette entrée manque</translation>
+    </message>
+    <message>
+        <source>it follows a later one</source>
+        <translation>elle suit une entrée postérieure</translation>
+    </message>
+    <message>
+        <source>the entry that it follows is missing</source>
+        <translation>l&apos;entrée qu&apos;elle suit manque</translation>
+    </message>
+    <message>
+        <source>its start state is missing</source>
+        <translation>son état de départ manque</translation>
+    </message>
+    <message>
+        <source>the state of entry %1</source>
+        <translation>l&apos;état de l&apos;entrée %1</translation>
+    </message>
+    <message>
+        <source>it is of another length</source>
+        <translation>il est d&apos;une autre longueur</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>la vue</translation>
+    </message>
+    <message>
+        <source>mark %1</source>
+        <translation>repère %1</translation>
+    </message>
+    <message>
+        <source>its entry is missing</source>
+        <translation>son entrée manque</translation>
+    </message>
+    <message>
+        <source>what panel %1 kept</source>
+        <translation>ce que le panneau %1 gardait</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept for recovery (%1). Save the project, and make room in %2.</source>
+        <translation>Le travail ne peut pas être gardé pour la récupération (%1). Enregistrez le projet, et faites de la place dans %2.</translation>
+    </message>
+    <message>
+        <source>Nothing of the work that was kept in %1 can be read any more. Discard it, and open what was saved last.</source>
+        <translation>Plus rien du travail gardé dans %1 ne peut être lu. Abandonnez-le, et ouvrez ce qui a été enregistré en dernier.</translation>
+    </message>
+    <message>
+        <source>its folder cannot be locked</source>
+        <translation>son dossier ne peut pas être verrouillé</translation>
+    </message>
+    <message>
+        <source>Another window works on this already, or it was discarded: look for it there.</source>
+        <translation>Une autre fenêtre y travaille déjà, ou il a été abandonné&#xa0;: cherchez-le là-bas.</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2</source>
+        <translation>la ligne %1 de la table %2</translation>
+    </message>
+    <message>
+        <source>a value in the table %1 is of the wrong kind</source>
+        <translation>une valeur de la table %1 est du mauvais genre</translation>
+    </message>
+    <message>
+        <source>a number in the table %1 is out of range</source>
+        <translation>un nombre de la table %1 est hors limites</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was written</source>
+        <translation>%1 n&apos;est pas comme elle a été écrite</translation>
+    </message>
+    <message>
+        <source>what was done to the parts</source>
+        <translation>ce qui a été fait aux pièces</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1&#xa0;: ce qui a été vu en dernier ne peut pas être montré. %2 Ce qui est intact peut être sauvé.</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4484,9 +5372,504 @@ Simulé&#xa0;: %2, pas %3
         <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
         <translation>Les pièces de ce projet sont perdues, si bien que rien ne peut en être montré. Ouvrez la pièce dont il a été fait.</translation>
     </message>
+</context>
+<context>
+    <name>Recipe</name>
     <message>
-        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
-        <translation>%1&#xa0;: ce qui a été vu en dernier ne peut pas être montré. %2 Ce qui est entier peut être sauvé.</translation>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>la sonde « %1 »</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it was filled anew with %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 nomme des objets d&apos;un corps qui a été rempli de nouveau avec %2, et ici il l&apos;a été avec %3. Nommez plutôt une boîte, ou gardez l&apos;espacement et ce qui est fait avant.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it is filled with the first %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 nomme des objets d&apos;un corps qui a été rempli de nouveau avec %2, et ici il est rempli des %3 premiers. Nommez plutôt une boîte, ou gardez l&apos;espacement et ce qui est fait avant.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not closed and is left out.</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas fermée et est omise.</translation>
+    </message>
+    <message>
+        <source>%1 has no tool part %2; it has %3 of them, counted from 0.</source>
+        <translation>%1 n&apos;a pas de pièce outil %2&#xa0;; il en a %3, comptées à partir de 0.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>le projet n&apos;a pas de pièces.</translation>
+    </message>
+    <message>
+        <source>%1 names faces, but &quot;%2&quot; is a mesh without CAD faces; use box_mm.</source>
+        <translation>%1 nomme des faces, mais «&#xa0;%2&#xa0;» est un maillage sans faces de CAO&#xa0;; utilisez box_mm.</translation>
+    </message>
+    <message>
+        <source>%1 names the face %2, but &quot;%3&quot; has faces 0 to %4.</source>
+        <translation>%1 nomme la face %2, mais «&#xa0;%3&#xa0;» a les faces 0 à %4.</translation>
+    </message>
+    <message>
+        <source>%1 names faces of one body among several; add the key body.</source>
+        <translation>%1 nomme des faces d&apos;un corps parmi plusieurs&#xa0;; ajoutez la clé body.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing: no object lies there.</source>
+        <translation>%1 ne tient rien&#xa0;: aucun objet ne s&apos;y trouve.</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>la région «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 names the body &quot;%2&quot;; the part has: %3.</source>
+        <translation>%1 nomme le corps «&#xa0;%2&#xa0;»&#xa0;; la pièce a&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of one body among several; add the key body.</source>
+        <translation>%1 nomme des objets d&apos;un corps parmi plusieurs&#xa0;; ajoutez la clé body.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that is filled with %2, and here it is filled with %3. Name a box instead, or keep the spacing.</source>
+        <translation>%1 nomme des objets d&apos;un corps rempli de %2, et ici il est rempli de %3. Nommez plutôt une boîte, ou gardez l&apos;espacement.</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>la fixation «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>la charge «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 is on one body among several; add the key body.</source>
+        <translation>%1 est sur un corps parmi plusieurs&#xa0;; ajoutez la clé body.</translation>
+    </message>
+    <message>
+        <source>%1 acts on nothing: no surface lies there.</source>
+        <translation>%1 n&apos;agit sur rien&#xa0;: aucune surface ne s&apos;y trouve.</translation>
+    </message>
+    <message>
+        <source>This recipe asks for balance without inertia, which &quot;knead run&quot; finds. Play carries it out as motion in time.</source>
+        <translation>Cette recette demande un équilibre sans inertie, que «&#xa0;knead run&#xa0;» trouve. La lecture l&apos;exécute comme un mouvement dans le temps.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>le fichier</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3 %4</source>
+        <translation>%1, ligne %2&#xa0;: %3 %4</translation>
+    </message>
+    <message>
+        <source>%1, got %2.</source>
+        <translation>%1&#xa0;; il y a %2.</translation>
+    </message>
+    <message>
+        <source>must be an object in { }</source>
+        <translation>doit être un objet entre { }</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;%1&quot;.</source>
+        <translation>doit avoir la clé «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>is not a known key; allowed here: %1.</source>
+        <translation>n&apos;est pas une clé connue&#xa0;; permises ici&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>must be a list in [ ]</source>
+        <translation>doit être une liste entre [ ]</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes that is not empty</source>
+        <translation>doit être un texte non vide entre guillemets</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>doit être true ou false</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>doit être un nombre</translation>
+    </message>
+    <message>
+        <source>must be a number between %1 and %2</source>
+        <translation>doit être un nombre entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>doit être un nombre positif</translation>
+    </message>
+    <message>
+        <source>must be a whole number between %1 and %2</source>
+        <translation>doit être un nombre entier entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number between 0 and %1</source>
+        <translation>doit être un nombre entier entre 0 et %1</translation>
+    </message>
+    <message>
+        <source>must hold %1 numbers</source>
+        <translation>doit contenir %1 nombres</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>%1: the key &quot;%2&quot; is given twice in the same object.</source>
+        <translation>%1&#xa0;: la clé «&#xa0;%2&#xa0;» est donnée deux fois dans le même objet.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1&#xa0;: des listes et objets sont imbriqués sur plus de %2 niveaux.</translation>
+    </message>
+    <message>
+        <source>is used twice: &quot;%1&quot;.</source>
+        <translation>est utilisé deux fois&#xa0;: «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>must hold the first and the last number of a stretch</source>
+        <translation>doit contenir le premier et le dernier numéro d&apos;une suite</translation>
+    </message>
+    <message>
+        <source>makes a list longer than any that this program writes</source>
+        <translation>donne une liste plus longue que toutes celles que ce programme écrit</translation>
+    </message>
+    <message>
+        <source>must be the number of a tool part of the project</source>
+        <translation>doit être le numéro d&apos;une pièce outil du projet</translation>
+    </message>
+    <message>
+        <source>must be one of those that this program knows</source>
+        <translation>doit être l&apos;un de ceux que ce programme connaît</translation>
+    </message>
+    <message>
+        <source>must be the number of a part</source>
+        <translation>doit être le numéro d&apos;une pièce</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys box_mm and objects.</source>
+        <translation>ne doit avoir qu&apos;une des clés box_mm et objects.</translation>
+    </message>
+    <message>
+        <source>must have at least one of the keys velocity_mm_s and turn.</source>
+        <translation>doit avoir au moins une des clés velocity_mm_s et turn.</translation>
+    </message>
+    <message>
+        <source>must not be 0: it says which way the plane faces.</source>
+        <translation>ne doit pas être 0&#xa0;: cela dit de quel côté le plan est tourné.</translation>
+    </message>
+    <message>
+        <source>must be true.</source>
+        <translation>doit être true.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys %1 and %2.</source>
+        <translation>ne doit avoir qu&apos;une des clés %1 et %2.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys %1.</source>
+        <translation>doit avoir exactement une des clés %1.</translation>
+    </message>
+    <message>
+        <source>must have either time_s or step.</source>
+        <translation>doit avoir soit time_s, soit step.</translation>
+    </message>
+    <message>
+        <source>needs an event with a step; say keyframes for times.</source>
+        <translation>demande un événement avec un pas (step)&#xa0;; pour des temps, dites keyframes.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys path and %1.</source>
+        <translation>ne doit avoir qu&apos;une des clés path et %1.</translation>
+    </message>
+    <message>
+        <source>belongs to a change of material only.</source>
+        <translation>n&apos;appartient qu&apos;à un changement de matériau.</translation>
+    </message>
+    <message>
+        <source>must be one of %1 or a direction of 3 numbers</source>
+        <translation>doit être l&apos;un de %1 ou une direction de 3 nombres</translation>
+    </message>
+    <message>
+        <source>must be a direction of 3 numbers that are not all 0</source>
+        <translation>doit être une direction de 3 nombres qui ne sont pas tous 0</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>doit être l&apos;un de %1</translation>
+    </message>
+    <message>
+        <source>must be a path inside the output folder</source>
+        <translation>doit être un chemin à l&apos;intérieur du dossier de sortie</translation>
+    </message>
+    <message>
+        <source>must end in one of %1</source>
+        <translation>doit se terminer par l&apos;un de %1</translation>
+    </message>
+    <message>
+        <source>must have either axis and speed_deg_s, or angular_velocity_rad_s.</source>
+        <translation>doit avoir soit axis et speed_deg_s, soit angular_velocity_rad_s.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angle_deg and angle_rad.</source>
+        <translation>ne doit avoir qu&apos;une des clés angle_deg et angle_rad.</translation>
+    </message>
+    <message>
+        <source>belongs to manipulators of the kind part only.</source>
+        <translation>n&apos;appartient qu&apos;aux outils du genre part.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind part; its file says how large it is.</source>
+        <translation>n&apos;appartient pas au genre part&#xa0;; son fichier en dit la taille.</translation>
+    </message>
+    <message>
+        <source>must be later than the frame before it</source>
+        <translation>doit être après l&apos;image clé précédente</translation>
+    </message>
+    <message>
+        <source>asks for a speed of %1 mm/s; speed_limit_mm_s allows %2.</source>
+        <translation>demande une vitesse de %1 mm/s&#xa0;; speed_limit_mm_s permet %2.</translation>
+    </message>
+    <message>
+        <source>must be false where the tool is neither a ball nor a cylinder</source>
+        <translation>doit être false quand l&apos;outil n&apos;est ni une boule ni un cylindre</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys keyframes and motion.</source>
+        <translation>ne doit avoir qu&apos;une des clés keyframes et motion.</translation>
+    </message>
+    <message>
+        <source>must hold at least one frame.</source>
+        <translation>doit contenir au moins une image clé.</translation>
+    </message>
+    <message>
+        <source>belongs to velocity_mm_s.</source>
+        <translation>appartient à velocity_mm_s.</translation>
+    </message>
+    <message>
+        <source>must be true; leave it out to say another motion.</source>
+        <translation>doit être true&#xa0;; omettez-le pour dire un autre mouvement.</translation>
+    </message>
+    <message>
+        <source>must hold a step and x, y, z, perhaps with w, x, y, z of a rotation</source>
+        <translation>doit contenir un pas et x, y, z, peut-être avec w, x, y, z d&apos;une rotation</translation>
+    </message>
+    <message>
+        <source>must not be less than in the row before it</source>
+        <translation>ne doit pas être moindre que dans la ligne précédente</translation>
+    </message>
+    <message>
+        <source>lies further than a kilometer away.</source>
+        <translation>est à plus d&apos;un kilomètre.</translation>
+    </message>
+    <message>
+        <source>must end with a quaternion of length 1</source>
+        <translation>doit se terminer par un quaternion de longueur 1</translation>
+    </message>
+    <message>
+        <source>must hold at least one row.</source>
+        <translation>doit contenir au moins une ligne.</translation>
+    </message>
+    <message>
+        <source>the project has no bodies.</source>
+        <translation>le projet n&apos;a pas de corps.</translation>
+    </message>
+    <message>
+        <source>some of its parts could not be filled with objects, which a recipe takes for an error.</source>
+        <translation>certaines de ses pièces n&apos;ont pas pu être remplies d&apos;objets, ce qu&apos;une recette prend pour une erreur.</translation>
+    </message>
+    <message>
+        <source>its bodies differ in their spacing or structural friction.</source>
+        <translation>ses corps diffèrent par leur espacement ou leur frottement structurel.</translation>
+    </message>
+    <message>
+        <source>the files of its parts are not there any more; save the project first.</source>
+        <translation>les fichiers de ses pièces ne sont plus là&#xa0;; enregistrez d&apos;abord le projet.</translation>
+    </message>
+    <message>
+        <source>The files that the parts were read from are not there any more: the recipe takes the parts from the project.</source>
+        <translation>Les fichiers dont les pièces ont été lues ne sont plus là&#xa0;: la recette prend les pièces du projet.</translation>
+    </message>
+    <message>
+        <source>The recipe begins where the part was filled last; what was done before left nothing behind but tools, materials and fixtures.</source>
+        <translation>La recette commence là où la pièce a été remplie en dernier&#xa0;; ce qui a été fait avant n&apos;a laissé que des outils, des matériaux et des fixations.</translation>
+    </message>
+    <message>
+        <source>The project has nothing in it yet that a recipe could say.</source>
+        <translation>Il n&apos;y a encore rien dans le projet qu&apos;une recette puisse dire.</translation>
+    </message>
+    <message>
+        <source>A recipe cannot say what was done here: %1</source>
+        <translation>Une recette ne peut pas dire ce qui a été fait ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which has nothing in it to set.</source>
+        <translation>%1 est %2, où il n&apos;y a rien à fixer.</translation>
+    </message>
+    <message>
+        <source>%1 has no item &quot;%2&quot;; allowed here: %3.</source>
+        <translation>%1 n&apos;a pas d&apos;élément «&#xa0;%2&#xa0;»&#xa0;; permis ici&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>a whole list, since this one is empty</source>
+        <translation>une liste entière, puisque celle-ci est vide</translation>
+    </message>
+    <message>
+        <source>the number 0</source>
+        <translation>le numéro 0</translation>
+    </message>
+    <message>
+        <source>the numbers 0 to %1</source>
+        <translation>les numéros 0 à %1</translation>
+    </message>
+    <message>
+        <source>%1 and the names %2</source>
+        <translation>%1 et les noms %2</translation>
+    </message>
+    <message>
+        <source>the path has an empty step; between two dots there must be a key, a name or a number.</source>
+        <translation>le chemin a une étape vide&#xa0;; entre deux points, il faut une clé, un nom ou un numéro.</translation>
+    </message>
+    <message>
+        <source>the path ends with a dot; name what is to be set after it.</source>
+        <translation>le chemin se termine par un point&#xa0;; nommez ensuite ce qui doit être fixé.</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be set: %3</source>
+        <translation>%1&#xa0;: %2 ne peut pas être fixé&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; sets nothing; write PATH=VALUE, for example spacing_mm=3.</source>
+        <translation>«&#xa0;%1&#xa0;» ne fixe rien&#xa0;; écrivez CHEMIN=VALEUR, par exemple spacing_mm=3.</translation>
+    </message>
+    <message>
+        <source>must have either file or files.</source>
+        <translation>doit avoir soit file, soit files.</translation>
+    </message>
+    <message>
+        <source>must hold at least one file.</source>
+        <translation>doit contenir au moins un fichier.</translation>
+    </message>
+    <message>
+        <source>a fixture holds no object of its body.</source>
+        <translation>une fixation ne tient aucun objet de son corps.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.</source>
+        <translation>doit avoir exactement une des clés spacing_mm, cells_across, cells_across_wall et objects.</translation>
+    </message>
+    <message>
+        <source>belongs to events: at the start nothing has been filled anew.</source>
+        <translation>appartient aux événements&#xa0;: au début, rien n&apos;a été rempli de nouveau.</translation>
+    </message>
+    <message>
+        <source>is written twice: &quot;%1&quot;.</source>
+        <translation>est écrit deux fois&#xa0;: «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>is &quot;published&quot;, which needs spacing_mm.</source>
+        <translation>est «&#xa0;published&#xa0;», qui demande spacing_mm.</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is not in the recipe.</source>
+        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas dans la recette.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than that of the event before it</source>
+        <translation>ne doit pas être avant celui de l&apos;événement précédent</translation>
+    </message>
+    <message>
+        <source>must not be less than that of the event before it</source>
+        <translation>ne doit pas être moindre que celui de l&apos;événement précédent</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys duration_s and duration_steps.</source>
+        <translation>ne doit avoir qu&apos;une des clés duration_s et duration_steps.</translation>
+    </message>
+    <message>
+        <source>must be at most 3600 s</source>
+        <translation>doit être d&apos;au plus 3600 s</translation>
+    </message>
+    <message>
+        <source>belongs to a dynamic analysis only.</source>
+        <translation>n&apos;appartient qu&apos;à une analyse dynamique.</translation>
+    </message>
+    <message>
+        <source>belongs to a static analysis only.</source>
+        <translation>n&apos;appartient qu&apos;à une analyse statique.</translation>
+    </message>
+    <message>
+        <source>names the unknown material &quot;%1&quot;; known are: %2.</source>
+        <translation>nomme le matériau inconnu «&#xa0;%1&#xa0;»&#xa0;; sont connus&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>must hold at least one face.</source>
+        <translation>doit contenir au moins une face.</translation>
+    </message>
+    <message>
+        <source>must be the name of a material or an object in { }</source>
+        <translation>doit être le nom d&apos;un matériau ou un objet entre { }</translation>
+    </message>
+    <message>
+        <source>must have both of the keys objects and objects_in_body, or none.</source>
+        <translation>doit avoir les deux clés objects et objects_in_body, ou aucune.</translation>
+    </message>
+    <message>
+        <source>belongs to objects.</source>
+        <translation>appartient à objects.</translation>
+    </message>
+    <message>
+        <source>must go on upwards, below objects_in_body</source>
+        <translation>doit continuer en montant, sous objects_in_body</translation>
+    </message>
+    <message>
+        <source>must hold at least one object.</source>
+        <translation>doit contenir au moins un objet.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys faces, box_mm and objects.</source>
+        <translation>doit avoir exactement une des clés faces, box_mm et objects.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.</source>
+        <translation>ne doit avoir qu&apos;une des clés angular_velocity_deg_s et angular_velocity_rad_s.</translation>
+    </message>
+    <message>
+        <source>must hold 3 numbers no larger than %1</source>
+        <translation>doit contenir 3 nombres d&apos;au plus %1</translation>
+    </message>
+    <message>
+        <source>must hold the lowest x, y, z and then the highest x, y, z</source>
+        <translation>doit contenir les x, y, z les plus bas puis les x, y, z les plus hauts</translation>
+    </message>
+    <message>
+        <source>must hold w, x, y, z of a quaternion of length 1</source>
+        <translation>doit contenir w, x, y, z d&apos;un quaternion de longueur 1</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys rotation_deg and rotation_wxyz.</source>
+        <translation>ne doit avoir qu&apos;une des clés rotation_deg et rotation_wxyz.</translation>
+    </message>
+    <message>
+        <source>must hold %1 positive numbers</source>
+        <translation>doit contenir %1 nombres positifs</translation>
+    </message>
+    <message>
+        <source>names a file that does not exist: %1. The path is taken from the folder of the recipe.</source>
+        <translation>nomme un fichier qui n&apos;existe pas&#xa0;: %1. Le chemin part du dossier de la recette.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot; is an imported part, which only a saved project keeps.</source>
+        <translation>l&apos;outil «&#xa0;%1&#xa0;» est une pièce importée, que seul un projet enregistré garde.</translation>
+    </message>
+    <message>
+        <source>The output folder %1 cannot be made; choose another one with --out.</source>
+        <translation>Le dossier de sortie %1 ne peut pas être créé&#xa0;; choisissez-en un autre avec --out.</translation>
     </message>
 </context>
 <context>
@@ -4756,10 +6139,319 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Repair</name>
+    <message>
+        <source>The exact shapes of the parts cannot be understood; import the file again.</source>
+        <translation>Les formes exactes des pièces ne peuvent pas être comprises&#xa0;; importez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 face séparée a été cousue avec une tolérance de %1.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 faces séparées ont été cousues avec une tolérance de %2.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 face séparée a été cousue avec une tolérance de %1 ; la plus large fente entre deux est de %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 faces séparées ont été cousues avec une tolérance de %2 ; la plus large fente entre deux est de %3.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 ouverture plane a été fermée par une face plane, %1 % de l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 ouvertures planes ont été fermées par des faces planes, %2 % de l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Des arêtes qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 face qui ne passait pas les contrôles de géométrie a été refaite.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 faces qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 coque était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 coques étaient à l&apos;envers et ont été retournées.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>La surface fermée a été changée en solide.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>La surface fermée a été changée en solide, avec 1 vide dedans.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>La surface fermée a été changée en solide, avec %1 vides dedans.</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 triangle était là deux fois et a été enlevé.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 triangles étaient là deux fois et ont été enlevés.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>La surface était donnée avec ses deux côtés ; l&apos;un d&apos;eux a été enlevé.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 paire de triangles dos à dos a été enlevée.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 paires de triangles dos à dos ont été enlevées.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 triangle était tourné du mauvais côté et a été retourné.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 triangles étaient tournés du mauvais côté et ont été retournés.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 petit trou a été fermé, ce qui a ajouté %1 à l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 petits trous ont été fermés, ce qui a ajouté %2 à l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>La surface était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 arête ouverte</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 arêtes ouvertes</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 bord</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 bords</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4 et est plane</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4</translation>
+    </message>
+</context>
+<context>
+    <name>Run</name>
+    <message>
+        <source>The equations of %1 of %2 steps could not be solved: forces and places are not to be trusted there. Make tools slower, or choose a shorter time step.</source>
+        <translation>Les équations de %1 des %2 pas n&apos;ont pas pu être résolues : forces et positions n&apos;y sont pas fiables. Ralentir les outils, ou choisir un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>L&apos;énergie est fausse de %1 % de tout ce qui a circulé. Choisissez un pas de temps plus court, ou ralentissez les outils.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Des outils ou le sol sont entrés de %1 espacements dans la matière : formes et forces y sont approximatives. Pressez moins loin, ou choisissez un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>La mise à l&apos;échelle a fait %1 % de la masse : ce qui oscille et ce qui est lancé est plus lent qu&apos;il ne le serait. Choisissez pour elle un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>La simulation a été arrêtée à %1 s : %2 Elle est revenue à %3 s.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>le corps</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>la matière de %1 a été écrasée ou retournée. Presser moins loin, augmenter le coefficient de Poisson ou la limite d&apos;élasticité, ou remplir la pièce avec un espacement plus petit, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>une position n&apos;est plus un nombre. %1 ou assouplir la matière, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>le pas de temps choisi de %1 s est plus long que le pas stable de %2 s. En choisir un plus court, ou une matière plus souple ou plus amortie.</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Euler implicite</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Euler explicite</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Euler semi-implicite</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1 : choisi ; pas par seconde que demande l&apos;intégration explicite : %2, ce qui suit le temps réel.</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1 : choisi ; pas par seconde que demande l&apos;intégration explicite : %2, plus que le temps réel ne permet.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1 : pas par seconde que demande l&apos;intégration explicite : %2, ce qui suit le temps réel.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1 : pas par seconde que demande l&apos;intégration explicite : %2, plus que le temps réel ne permet.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Les équations du pas à %1 s n&apos;ont pas pu être résolues : forces et positions sont approximatives à partir de là. Ralentir les outils, ou choisir un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>il n&apos;y a pas assez de mémoire pour continuer. Fermer d&apos;autres programmes ou remplir la pièce avec un espacement plus grand, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Réinitialiser, ou aller à un instant antérieur.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>La simulation a été arrêtée : %1</translation>
+    </message>
+    <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>des objets de %1 se déplaçaient à %2 m/s, et rien dans la scène ne les rend plus rapides que %3 m/s. %4 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J sont venus de nulle part, sur %2 J dans la scène : les pas ne suivent plus la matière. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>les équations de %1 pas de suite n&apos;ont pas pu être résolues, bien que le dernier n&apos;ait duré que %2 s. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>L&apos;outil &quot;%1&quot; est à %2 mm de profondeur dans %3 : le faire commencer dehors, presser moins loin, le ralentir</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Choisir un pas de temps plus court pour la mise à l&apos;échelle des masses, qui a ajouté %1 % à la masse</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>Ralentir les outils</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>Réduire la gravité</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Déplacer plus lentement les corps et les fixations</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>L&apos;outil &quot;%1&quot; commence à %2 mm à l&apos;intérieur de %3, qui est repoussé avec une grande force, par pas très courts. Le faire commencer dehors.</translation>
+    </message>
+</context>
+<context>
     <name>RunRemarks</name>
     <message>
         <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
         <translation>Le temps n&apos;avance guère : %1 ont été simulés en %2, par pas de %3. Un plus grand espacement, un matériau plus souple, des outils plus lents ou qui commencent hors de la matière accélèrent.</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>Gravity must not be stronger than 10000 m/s^2.</source>
+        <translation>La pesanteur ne doit pas dépasser 10000 m/s^2.</translation>
+    </message>
+    <message>
+        <source>The height of the floor must lie between -10 and 10 km.</source>
+        <translation>La hauteur du sol doit être comprise entre -10 et 10 km.</translation>
+    </message>
+    <message>
+        <source>The friction of the floor must lie between 0 and 2.</source>
+        <translation>Le frottement du sol doit être compris entre 0 et 2.</translation>
+    </message>
+    <message>
+        <source>The adhesion of the floor must lie between 0 and 1e9 Pa.</source>
+        <translation>L&apos;adhérence du sol doit être comprise entre 0 et 1e9 Pa.</translation>
+    </message>
+    <message>
+        <source>There is no body number %1.</source>
+        <translation>Il n&apos;y a pas de corps numéro %1.</translation>
+    </message>
+    <message>
+        <source>It holds no objects. Fill it with a smaller spacing.</source>
+        <translation>Il ne contient pas d&apos;objets. Remplissez-le avec un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot;: %2</source>
+        <translation>Région &quot;%1&quot; : %2</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot; names an object that does not exist.</source>
+        <translation>La région &quot;%1&quot; nomme un objet qui n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>It must not start faster than 1000 m/s or 100000 rad/s.</source>
+        <translation>Il ne doit pas partir plus vite que 1000 m/s ou 100000 rad/s.</translation>
+    </message>
+    <message>
+        <source>Its structural friction must lie between 0 and 2.</source>
+        <translation>Son frottement interne doit être compris entre 0 et 2.</translation>
+    </message>
+    <message>
+        <source>Body &quot;%1&quot;: %2</source>
+        <translation>Corps &quot;%1&quot; : %2</translation>
+    </message>
+    <message>
+        <source>The time step must lie between 1e-9 and 1 s.</source>
+        <translation>Le pas de temps doit être compris entre 1e-9 et 1 s.</translation>
+    </message>
+    <message>
+        <source>The time step of mass scaling must lie between 1e-9 and 1 s.</source>
+        <translation>Le pas de temps de la mise à l&apos;échelle des masses doit être compris entre 1e-9 et 1 s.</translation>
+    </message>
+    <message>
+        <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
+        <translation>Euler explicite n&apos;est pas stable sans amortissement : augmentez le taux d&apos;amortissement, ou prenez Euler semi-implicite.</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +7126,81 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Step</name>
+    <message>
+        <source>the STEP file ends inside a text; it is cut off, get it again.</source>
+        <translation>le fichier STEP s&apos;arrête au milieu d&apos;un texte&#xa0;; il est tronqué, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again.</source>
+        <translation>le fichier STEP s&apos;arrête avant sa dernière ligne (END-ISO-10303-21)&#xa0;; il est tronqué, procurez-le-vous de nouveau.</translation>
+    </message>
+    <message>
+        <source>the STEP file has no DATA section, so it holds no shapes.</source>
+        <translation>le fichier STEP n&apos;a pas de section DATA, donc il ne contient aucune forme.</translation>
+    </message>
+    <message>
+        <source>a name in the STEP file is longer than 65 thousand letters; the file is damaged.</source>
+        <translation>un nom du fichier STEP dépasse 65 mille lettres&#xa0;; le fichier est abîmé.</translation>
+    </message>
+    <message>
+        <source>lists in the STEP file are nested more than 500 deep; the file is damaged.</source>
+        <translation>des listes du fichier STEP sont imbriquées sur plus de 500 niveaux&#xa0;; le fichier est abîmé.</translation>
+    </message>
+    <message>
+        <source>the STEP file has &quot;%1&quot; in place of a number; export it again.</source>
+        <translation>le fichier STEP contient «&#xa0;%1&#xa0;» à la place d&apos;un nombre&#xa0;; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1 : une face de révolution est bordée à travers sa couture, et le fichier ne dit pas de quel côté de son bord elle se trouve ; vérifiez le volume de sa pièce.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 forme du fichier STEP n&apos;a pas pu être lue : ses faces sont abîmées ou d&apos;un genre inconnu.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 formes du fichier STEP n&apos;ont pas pu être lues : leurs faces sont abîmées ou d&apos;un genre inconnu.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; export the file again.</source>
+        <translation>l&apos;entité %1 renvoie à quelque chose de faux ou à rien&#xa0;; exportez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %2).</source>
+        <translation>l’entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %2).</source>
+        <translation>l’entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %3).</source>
+        <translation>l’entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %3).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %3).</source>
+        <translation>l’entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %3).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>l’assemblage renvoie au fichier %1, qui n’est pas là : ses pièces manquent. Placez-le à côté de l’assemblage et rouvrez celui-ci.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>l’assemblage renvoie à %1 fichiers qui ne sont pas là : %2. Leurs pièces manquent ; placez-les à côté de l’assemblage et rouvrez celui-ci.</translation>
+    </message>
+    <message>
+        <source>the file holds triangles only (tessellated geometry of AP242), which are not read from STEP; export exact solids, or a mesh as 3MF or STL.</source>
+        <translation>le fichier ne contient que des triangles (géométrie tessellée d&apos;AP242), qui ne sont pas lus en STEP&#xa0;; exportez des solides exacts, ou un maillage en 3MF ou STL.</translation>
+    </message>
+    <message>
+        <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
+        <translation>le fichier ne contient que des courbes et des points, ni solide ni surface&#xa0;; exportez la pièce comme solide.</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5565,6 +7332,73 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Speed of the film</source>
         <translation>Vitesse du film</translation>
+    </message>
+</context>
+<context>
+    <name>Tool</name>
+    <message>
+        <source>Tool &quot;%1&quot;: %2</source>
+        <translation>Outil &quot;%1&quot; : %2</translation>
+    </message>
+    <message>
+        <source>each edge must be between 0.001 mm and 1000 m long.</source>
+        <translation>chaque arête doit mesurer entre 0.001 mm et 1000 m.</translation>
+    </message>
+    <message>
+        <source>it is to be a part, but has none.</source>
+        <translation>il doit être une pièce, mais n&apos;en a pas.</translation>
+    </message>
+    <message>
+        <source>its measures do not fit together: a ball has one, a cylinder a diameter and a length.</source>
+        <translation>ses mesures ne vont pas ensemble : une boule en a une, un cylindre un diamètre et une longueur.</translation>
+    </message>
+    <message>
+        <source>its place must be numbers, within 10 km.</source>
+        <translation>sa position doit être faite de nombres, à moins de 10 km.</translation>
+    </message>
+    <message>
+        <source>friction must lie between 0 and 2.</source>
+        <translation>le frottement doit être compris entre 0 et 2.</translation>
+    </message>
+    <message>
+        <source>the speed limit must lie between 0.001 mm/s and 100 m/s.</source>
+        <translation>la limite de vitesse doit être comprise entre 0.001 mm/s et 100 m/s.</translation>
+    </message>
+    <message>
+        <source>the adhesion must lie between 0 and 1e9 Pa.</source>
+        <translation>l&apos;adhérence doit être comprise entre 0 et 1e9 Pa.</translation>
+    </message>
+    <message>
+        <source>the force limit must be greater than 0 N.</source>
+        <translation>la limite de force doit être supérieure à 0 N.</translation>
+    </message>
+    <message>
+        <source>a key-framed motion needs at least one frame.</source>
+        <translation>un mouvement par images clés demande au moins une image.</translation>
+    </message>
+    <message>
+        <source>the times of key frames must ascend.</source>
+        <translation>les instants des images clés doivent croître.</translation>
+    </message>
+    <message>
+        <source>key frames must be numbers, within 10 km.</source>
+        <translation>les images clés doivent être faites de nombres, à moins de 10 km.</translation>
+    </message>
+    <message>
+        <source>it must not go faster than 10000 m/s or 100000 rad/s.</source>
+        <translation>il ne doit pas aller plus vite que 10000 m/s ou 100000 rad/s.</translation>
+    </message>
+    <message>
+        <source>its target must be numbers, within 10 km.</source>
+        <translation>sa cible doit être faite de nombres, à moins de 10 km.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s part has no surface. Choose another file.</source>
+        <translation>La pièce de l&apos;outil n&apos;a pas de surface. Choisissez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>There is no tool number %1.</source>
+        <translation>Il n&apos;y a pas d&apos;outil numéro %1.</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +7576,81 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Unit</name>
+    <message>
+        <source>Open that file alone to correct it.</source>
+        <translation>Ouvrez ce fichier seul pour corriger cela.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micromètres</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>décimètres</translation>
+    </message>
+    <message>
+        <source>thousandths of an inch</source>
+        <translation>millièmes de pouce</translation>
+    </message>
+    <message>
+        <source>nanometres</source>
+        <translation>nanomètres</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>milles</translation>
+    </message>
+    <message>
+        <source>millionths of an inch</source>
+        <translation>millionièmes de pouce</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1 : le fichier n&apos;indique pas d&apos;unité de longueur ; des millimètres ont été pris.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; that was asked for is not known; known are %2.</source>
+        <translation>l&apos;unité de longueur demandée «&#xa0;%1&#xa0;» n&apos;est pas connue&#xa0;; sont connues %2.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; of the file is not known; known are %2.</source>
+        <translation>l&apos;unité de longueur «&#xa0;%1&#xa0;» du fichier n&apos;est pas connue&#xa0;; sont connues %2.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1 : la pièce fait %2 de long ; si ses longueurs sont en %3, elle fait %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1 : les pièces font ensemble %2 de long ; si leurs longueurs sont en %3, elles font %4.</translation>
+    </message>
+</context>
+<context>
     <name>ViewCube</name>
     <message>
         <source>FRONT</source>
@@ -5871,6 +7780,81 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Measure the part</source>
         <translation>Mesurer la pièce</translation>
+    </message>
+</context>
+<context>
+    <name>Work</name>
+    <message>
+        <source>A pipe to another process cannot be made (%1).</source>
+        <translation>Un tube vers un autre processus ne peut pas être créé (%1).</translation>
+    </message>
+    <message>
+        <source>The process of %1 cannot be started (%2).</source>
+        <translation>Le processus de %1 ne peut pas être démarré (%2).</translation>
+    </message>
+    <message>
+        <source>What was read cannot be fetched (%1).</source>
+        <translation>Ce qui a été lu ne peut pas être récupéré (%1).</translation>
+    </message>
+    <message>
+        <source>memory access</source>
+        <translation>accès à la mémoire</translation>
+    </message>
+    <message>
+        <source>arithmetic</source>
+        <translation>arithmétique</translation>
+    </message>
+    <message>
+        <source>internal error</source>
+        <translation>erreur interne</translation>
+    </message>
+    <message>
+        <source>illegal instruction</source>
+        <translation>instruction illégale</translation>
+    </message>
+    <message>
+        <source>ended from outside, perhaps because the machine ran out of memory</source>
+        <translation>arrêté de l&apos;extérieur, peut-être parce que la machine a manqué de mémoire</translation>
+    </message>
+    <message>
+        <source>signal %1</source>
+        <translation>le signal %1</translation>
+    </message>
+    <message>
+        <source>the writer</source>
+        <translation>le programme d&apos;écriture</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>l&apos;écriture</translation>
+    </message>
+    <message>
+        <source>the reader</source>
+        <translation>le programme de lecture</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>la lecture</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source> while %1</source>
+        <translation> (pendant «&#xa0;%1&#xa0;»)</translation>
+    </message>
+    <message>
+        <source>%1 took longer than %2%3 and was ended. %4</source>
+        <translation>%1 a duré plus de %2%3 et a été interrompue. %4</translation>
+    </message>
+    <message>
+        <source>%1 crashed%2 (%3). %4</source>
+        <translation>%1 a planté%2 (%3). %4</translation>
+    </message>
+    <message>
+        <source>%1 ended without a result%2. %3</source>
+        <translation>%1 s&apos;est terminé sans résultat%2. %3</translation>
     </message>
 </context>
 <context>

@@ -480,6 +480,33 @@
     </message>
 </context>
 <context>
+    <name>Balance</name>
+    <message>
+        <source>Load step %1: %2</source>
+        <translation>Belastingstap %1: %2</translation>
+    </message>
+    <message>
+        <source>The body</source>
+        <translation>Het lichaam</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Een lichaam kan vrij bewegen: houd het vast, of laat de tijd lopen (dynamic) tot het ergens op rust.</translation>
+    </message>
+    <message>
+        <source>A load step takes more than 0 and up to 3600 s.</source>
+        <translation>Een belastingstap duurt meer dan 0 en hoogstens 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 is star en kan vrij bewegen: houd het vast, maak het vervormbaar, of laat de tijd lopen (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen (dynamic).</translation>
+    </message>
+</context>
+<context>
     <name>Banner</name>
     <message>
         <source>Close</source>
@@ -669,6 +696,21 @@
     <message>
         <source>Measurements</source>
         <translation>Metingen</translation>
+    </message>
+</context>
+<context>
+    <name>Cut</name>
+    <message>
+        <source>A cut needs a plane: a point, and a normal that is not zero.</source>
+        <translation>Een snede vraagt een vlak: een punt, en een normaal die niet nul is.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
+        <translation>&quot;%1&quot; is star en wordt niet gesneden. Maak het eerst vervormbaar.</translation>
+    </message>
+    <message>
+        <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
+        <translation>Het vlak raakt niets van &quot;%1&quot; dat gesneden kan worden.</translation>
     </message>
 </context>
 <context>
@@ -1171,6 +1213,317 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>&quot;%1&quot; is cut into or cracked, but in one piece: it gapes by %2 mm.</source>
+        <translation>&quot;%1&quot; is ingesneden of gescheurd, maar nog één stuk: de spleet is %2 mm wijd.</translation>
+    </message>
+    <message>
+        <source>a cut or crack ends in it, whose sides are no faces of the part.</source>
+        <translation>er eindigt een snede of scheur in, waarvan de zijden geen vlakken van het onderdeel zijn.</translation>
+    </message>
+    <message>
+        <source>it was filled anew before: its fields are left out.</source>
+        <translation>het is eerder opnieuw gevuld: de velden ervan zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: 1 van de verbindingen is gebroken, en de huid overspant de scheur, bij %3 tot %2 keer de lengte gerekt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: %2 van de verbindingen zijn gebroken, en de huid overspant de scheur, bij %4 tot %3 keer de lengte gerekt.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>van de scheuren konden geen vlakken worden gemaakt: andere stukken ervan worden er als één geheel mee geschreven; objecten erin: %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>stukken die te klein zijn voor een eigen vorm worden als deel ervan geschreven; objecten erin: %1.</translation>
+    </message>
+    <message>
+        <source>cracks end in it, and its skin spans them; connections broken there: %1.</source>
+        <translation>er eindigen scheuren in, en de huid overspant ze; daar gebroken verbindingen: %1.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>het onderdeel is gescheurd; dit is een van %1 stukken.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>te weinig objecten hangen samen om te zeggen hoe het vervormd is: het wordt in zijn rustvorm geschreven, verplaatst zoals zij.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 van de vlakken konden niet worden meegevoerd: %2.</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>zo gebogen passen de vlakken niet meer op elkaar.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>Er kwam 1 vlak bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>Er kwamen %1 vlakken bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>&quot;%1&quot;: vlak %2 bestaat uit platte driehoeken; de andere vlakken zijn glad.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>&quot;%1&quot;: vlakken %2 bestaan uit platte driehoeken; de andere vlakken zijn glad.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>&quot;%1&quot;: vlak %2 komt niet zo dicht bij de huid als beoogd, %3 mm; vlak %4 ligt er %5 mm naast.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>&quot;%1&quot;: %2 vlakken, %3, komen niet zo dicht bij de huid als beoogd, %4 mm; vlak %5 ligt er %6 mm naast.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>&quot;%1&quot; zou %2 platte vlakken nodig hebben, meer dan CAD-programma&apos;s aankunnen; exporteer het als net.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>&quot;%1&quot; is een open net, dat CAD-bestanden niet kunnen bevatten; verberg het, of exporteer als net.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>het kwam als net, dat geen gladde vlakken heeft.</translation>
+    </message>
+    <message>
+        <source>its faces could not be cut where the knife went.</source>
+        <translation>de vlakken konden niet worden gesneden waar het mes ging.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>andere programma’s lezen het misschien binnenstebuiten, zoals het hier terugkwam.</translation>
+    </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>de vlakken zijn niet teruggevonden zoals ze geschreven zijn.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>vlakken die vloeiend aansloten, maken nu een hoek bij %1; een kleinere tolerantie kan helpen.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Het bestand bevat %1 onderdelen waar er %2 zijn geschreven.</translation>
+    </message>
+    <message>
+        <source>The exact shapes of the parts are not complete; import the file again.</source>
+        <translation>De exacte vormen van de onderdelen zijn niet volledig; importeer het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>de gebogen vlakken ervan zijn in het teruggelezen bestand niet teruggevonden.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>teruggelezen uit het bestand zijn de gebogen vlakken binnenstebuiten.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>teruggelezen uit het bestand doorstaan de gebogen vlakken de geometriecontrole niet.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>teruggelezen uit het bestand laten de gebogen vlakken kieren.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>teruggelezen uit het bestand liggen de platte vlakken tot %1 mm naast de huid, waar %2 mm is toegestaan.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>teruggelezen uit het bestand liggen de gebogen vlakken tot %1 mm naast de huid waar %2 mm is toegestaan.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>teruggelezen uit het bestand omsluiten de gebogen vlakken een volume dat %1 % afwijkt van dat van de huid.</translation>
+    </message>
+    <message>
+        <source>There is nothing to export.</source>
+        <translation>Er valt niets te exporteren.</translation>
+    </message>
+    <message>
+        <source>The surface bounds no volume.</source>
+        <translation>Het oppervlak omsluit geen volume.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>het oppervlak gaat door zichzelf heen bij %1; andere programma&apos;s kunnen dat weigeren.</translation>
+    </message>
+    <message>
+        <source>its material is folded over itself near %1</source>
+        <translation>het materiaal is bij %1 over zichzelf gevouwen</translation>
+    </message>
+    <message>
+        <source>%1, and so are its faces.</source>
+        <translation>%1, en daarmee ook de vlakken ervan.</translation>
+    </message>
+    <message>
+        <source>A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.</source>
+        <translation>Een CAD-bestand kan niet in %1 worden geschreven; kies mm, cm, m, inch of ft.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into STEP.</source>
+        <translation>De onderdelen konden niet naar STEP worden omgezet.</translation>
+    </message>
+    <message>
+        <source>The STEP text could not be written.</source>
+        <translation>De STEP-tekst kon niet worden geschreven.</translation>
+    </message>
+    <message>
+        <source>The parts could not be put into IGES.</source>
+        <translation>De onderdelen konden niet naar IGES worden omgezet.</translation>
+    </message>
+    <message>
+        <source>The IGES text could not be written.</source>
+        <translation>De IGES-tekst kon niet worden geschreven.</translation>
+    </message>
+    <message>
+        <source>The BREP text could not be written.</source>
+        <translation>De BREP-tekst kon niet worden geschreven.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.</source>
+        <translation>het oppervlak heeft meer nodig dan de 4 GB die een GLB kan bevatten; exporteer minder lichamen, of als .gltf.</translation>
+    </message>
+    <message>
+        <source>the ending is none of %1; name the file after its format.</source>
+        <translation>de extensie is geen van %1; noem het bestand naar zijn formaat.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; is not known; known are %2.</source>
+        <translation>de lengte-eenheid &quot;%1&quot; is niet bekend; bekend zijn %2.</translation>
+    </message>
+    <message>
+        <source>the surface of &quot;%1&quot; leads to infinity; go back to where it was whole and export again.</source>
+        <translation>het oppervlak van &quot;%1&quot; leidt naar het oneindige; ga terug naar waar het heel was en exporteer opnieuw.</translation>
+    </message>
+    <message>
+        <source>there is no surface to write.</source>
+        <translation>er is geen oppervlak om te schrijven.</translation>
+    </message>
+    <message>
+        <source>the surface has more than 2147483647 points or triangles, which the formats cannot count; export fewer bodies.</source>
+        <translation>het oppervlak heeft meer dan 2147483647 punten of driehoeken, die de formaten niet kunnen tellen; exporteer minder lichamen.</translation>
+    </message>
+    <message>
+        <source>3MF does not know the length unit %1; choose one of um, mm, cm, inch, ft and m.</source>
+        <translation>3MF kent de lengte-eenheid %1 niet; kies um, mm, cm, inch, ft of m.</translation>
+    </message>
+    <message>
+        <source>the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.</source>
+        <translation>het oppervlak heeft meer nodig dan de 4 GB die een 3MF kan bevatten; exporteer minder lichamen.</translation>
+    </message>
+    <message>
+        <source>its border cannot be drawn in its parameters</source>
+        <translation>de begrenzing kan niet in de parameters worden getekend</translation>
+    </message>
+    <message>
+        <source>its border does not close in its parameters</source>
+        <translation>de begrenzing sluit niet in de parameters</translation>
+    </message>
+    <message>
+        <source>its border is too short to be divided</source>
+        <translation>de begrenzing is te kort om te worden gedeeld</translation>
+    </message>
+    <message>
+        <source>a face cannot be drawn: %1</source>
+        <translation>een vlak kan niet worden getekend: %1</translation>
+    </message>
+    <message>
+        <source>an edge does not end</source>
+        <translation>een rand eindigt niet</translation>
+    </message>
+    <message>
+        <source>two of its edges are too short to be told apart</source>
+        <translation>twee randen ervan zijn te kort om te worden onderscheiden</translation>
+    </message>
+    <message>
+        <source>two of its points lie on each other</source>
+        <translation>twee punten ervan vallen samen</translation>
+    </message>
+    <message>
+        <source>a triangle in its place has no width</source>
+        <translation>een driehoek op die plaats heeft geen breedte</translation>
+    </message>
+    <message>
+        <source>too many triangles would be needed</source>
+        <translation>er zouden te veel driehoeken nodig zijn</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>een rand heeft geen kromme op het vlak</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>de kromme van een rand op het vlak past er niet bij</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>een vlak heeft geen geometrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>een vlak heeft geen begrenzing</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>een vlak is ontaard</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compressed: %1.</source>
+        <translation>De afbeelding kan niet worden gecomprimeerd: %1.</translation>
+    </message>
+    <message>
+        <source>there is no surface to draw.</source>
+        <translation>er is geen oppervlak om te tekenen.</translation>
+    </message>
+    <message>
+        <source>the picture must have from 1 to %1 pixels on each side.</source>
+        <translation>de afbeelding moet aan elke zijde 1 tot %1 pixels hebben.</translation>
+    </message>
+    <message>
+        <source>the directions of view and of up must not be zero.</source>
+        <translation>de kijkrichting en de richting omhoog mogen niet nul zijn.</translation>
+    </message>
+    <message>
+        <source>the export asks for more memory than there is; export fewer parts at a time.</source>
+        <translation>de export vraagt meer geheugen dan er is; exporteer minder onderdelen tegelijk.</translation>
+    </message>
+    <message>
+        <source>smooth faces go into .step, .iges and .brep files only.</source>
+        <translation>gladde vlakken gaan alleen in .step-, .iges- en .brep-bestanden.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export fewer parts at a time, or with a larger tolerance.</source>
+        <translation>Er is niets geschreven; exporteer minder onderdelen tegelijk, of met een grotere tolerantie.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; export the parts one by one to see which one it is, or as a mesh.</source>
+        <translation>Er is niets geschreven; exporteer de onderdelen een voor een om te zien welk het is, of als net.</translation>
+    </message>
+    <message>
+        <source>What to write could not be handed over; try again.</source>
+        <translation>Wat geschreven moest worden, kon niet worden overgedragen; probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>there is nothing to export.</source>
+        <translation>er valt niets te exporteren.</translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>Smooth trimmed faces, one for each face of the part as it was opened, at the places where the material has them now. The file is read back and compared.</source>
@@ -1400,339 +1753,42 @@
     </message>
 </context>
 <context>
-    <name>FileWords</name>
+    <name>File</name>
     <message>
-        <source>was inside out and has been turned.</source>
-        <translation>was binnenstebuiten en is gekeerd.</translation>
+        <source>the file cannot be written (%1); choose another place or make room.</source>
+        <translation>het bestand kan niet worden geschreven (%1); kies een andere plaats of maak ruimte.</translation>
     </message>
     <message>
-        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
-        <translation>is geen gesloten oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+        <source>%1: no such file.</source>
+        <translation>%1: zo&apos;n bestand is er niet.</translation>
     </message>
     <message>
-        <source>is an open surface: %1. It is shown and cannot be filled.</source>
-        <translation>is een open oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+        <source>%1: this is a folder; name a file.</source>
+        <translation>%1: dit is een map; noem een bestand.</translation>
     </message>
     <message>
-        <source>is not closed: %1. It is shown and cannot be filled.</source>
-        <translation>is niet gesloten: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+        <source>%1: the file cannot be read; check its permissions.</source>
+        <translation>%1: het bestand kan niet worden gelezen; controleer de rechten ervan.</translation>
     </message>
     <message>
-        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
-        <translation>is een gesloten oppervlak maar geen lichaam; het wordt getoond en kan niet worden gevuld.</translation>
+        <source>There is no folder for temporary files; set TMPDIR to one you may write to.</source>
+        <translation>Er is geen map voor tijdelijke bestanden; zet TMPDIR op een map waarin u mag schrijven.</translation>
     </message>
     <message>
-        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
-        <translation>kon niet met een gesloten net van driehoeken worden bedekt; het kan niet worden gevuld.</translation>
+        <source>%1: no temporary file can be made there (%2).</source>
+        <translation>%1: daar kan geen tijdelijk bestand worden gemaakt (%2).</translation>
     </message>
     <message>
-        <source>has no volume; it cannot be filled.</source>
-        <translation>heeft geen volume; het kan niet worden gevuld.</translation>
+        <source>The folder for temporary files takes no more; make room there, or set TMPDIR to another folder (%1).</source>
+        <translation>De map voor tijdelijke bestanden neemt niets meer op; maak daar ruimte of zet TMPDIR op een andere map (%1).</translation>
     </message>
     <message>
-        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
-        <translation>doorstaat de controles van de geometrie niet; bekijk het goed voordat u erop vertrouwt.</translation>
+        <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
+        <translation>%1: de map voor tijdelijke bestanden neemt niets meer op (%2); maak daar ruimte of zet TMPDIR op een andere map.</translation>
     </message>
-    <message>
-        <source>has gaps of up to %1, a hundredth of its size or more.</source>
-        <translation>heeft spleten tot %1, een honderdste van zijn grootte of meer.</translation>
-    </message>
-    <message>
-        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
-        <translation>heeft vlakken die niet goed aansluiten: zijn volume is %1 onzeker.</translation>
-    </message>
-    <message>
-        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
-        <translation>heeft 1 vlak waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
-    </message>
-    <message>
-        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
-        <translation>heeft %1 vlakken waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
-    </message>
-    <message>
-        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
-        <translation>is onvolledig: %1 van %2 vlakken van een schaal konden worden gelezen; de andere zijn in het bestand beschadigd.</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
-        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed</translation>
-    </message>
-    <message>
-        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
-        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed en vlak</translation>
-    </message>
-    <message>
-        <source>1 open edge</source>
-        <translation>1 open rand</translation>
-    </message>
-    <message>
-        <source>%1 open edges</source>
-        <translation>%1 open randen</translation>
-    </message>
-    <message>
-        <source>1 border</source>
-        <translation>1 omtrek</translation>
-    </message>
-    <message>
-        <source>%1 borders</source>
-        <translation>%1 omtrekken</translation>
-    </message>
-    <message>
-        <source>1 triangle was there twice and removed.</source>
-        <translation>1 driehoek was er dubbel en is verwijderd.</translation>
-    </message>
-    <message>
-        <source>%1 triangles were there twice and removed.</source>
-        <translation>%1 driehoeken waren er dubbel en zijn verwijderd.</translation>
-    </message>
-    <message>
-        <source>The surface was given with both its sides; one of them was removed.</source>
-        <translation>Het oppervlak was met beide zijden gegeven; een ervan is verwijderd.</translation>
-    </message>
-    <message>
-        <source>1 pair of triangles back to back was removed.</source>
-        <translation>1 paar driehoeken rug aan rug is verwijderd.</translation>
-    </message>
-    <message>
-        <source>%1 pairs of triangles back to back were removed.</source>
-        <translation>%1 paren driehoeken rug aan rug zijn verwijderd.</translation>
-    </message>
-    <message>
-        <source>1 triangle faced the wrong way and was turned.</source>
-        <translation>1 driehoek lag verkeerd om en is gekeerd.</translation>
-    </message>
-    <message>
-        <source>%1 triangles faced the wrong way and were turned.</source>
-        <translation>%1 driehoeken lagen verkeerd om en zijn gekeerd.</translation>
-    </message>
-    <message>
-        <source>1 small hole was closed, which added %1 to the area.</source>
-        <translation>1 klein gat is gesloten, wat %1 aan het oppervlak toevoegde.</translation>
-    </message>
-    <message>
-        <source>%1 small holes were closed, which added %2 to the area.</source>
-        <translation>%1 kleine gaten zijn gesloten, wat %2 aan het oppervlak toevoegde.</translation>
-    </message>
-    <message>
-        <source>The surface was inside out and has been turned.</source>
-        <translation>Het oppervlak was binnenstebuiten en is gekeerd.</translation>
-    </message>
-    <message>
-        <source>The solid was inside out and has been turned.</source>
-        <translation>Het lichaam was binnenstebuiten en is gekeerd.</translation>
-    </message>
-    <message>
-        <source>1 shell was inside out and turned.</source>
-        <translation>1 schaal was binnenstebuiten en is gekeerd.</translation>
-    </message>
-    <message>
-        <source>%1 shells were inside out and turned.</source>
-        <translation>%1 schalen waren binnenstebuiten en zijn gekeerd.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid.</source>
-        <translation>Het gesloten oppervlak is een lichaam geworden.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with 1 void in it.</source>
-        <translation>Het gesloten oppervlak is een lichaam geworden, met 1 holte erin.</translation>
-    </message>
-    <message>
-        <source>The closed surface was made a solid, with %1 voids in it.</source>
-        <translation>Het gesloten oppervlak is een lichaam geworden, met %1 holten erin.</translation>
-    </message>
-    <message>
-        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
-        <translation>1 vlakke opening is met een plat vlak gesloten, %1 % van het oppervlak.</translation>
-    </message>
-    <message>
-        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
-        <translation>%1 vlakke openingen zijn met platte vlakken gesloten, %2 % van het oppervlak.</translation>
-    </message>
-    <message>
-        <source>Edges that failed the geometry checks were rebuilt.</source>
-        <translation>Randen die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
-    </message>
-    <message>
-        <source>1 face that failed the geometry checks was rebuilt.</source>
-        <translation>1 vlak dat de controles van de geometrie niet doorstond is opnieuw gemaakt.</translation>
-    </message>
-    <message>
-        <source>%1 faces that failed the geometry checks were rebuilt.</source>
-        <translation>%1 vlakken die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1.</source>
-        <translation>1 los vlak is met een tolerantie van %1 genaaid.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2.</source>
-        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid.</translation>
-    </message>
-    <message>
-        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
-        <translation>1 los vlak is met een tolerantie van %1 genaaid; de breedste spleet tussen twee ervan is %2.</translation>
-    </message>
-    <message>
-        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
-        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid; de breedste spleet tussen twee ervan is %3.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
-        <translation>%1: het 3MF-bestand houdt zich op 1 plaats niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
-    </message>
-    <message>
-        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
-        <translation>%1: het 3MF-bestand houdt zich op %2 plaatsen niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
-    </message>
-    <message>
-        <source>%1: the file states no length unit; millimetres were taken.</source>
-        <translation>%1: het bestand noemt geen lengte-eenheid; millimeters zijn genomen.</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
-        <translation>%1: het element %2 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vlakken: %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
-        <translation>%1: het element %2 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vormen: %3).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
-        <translation>%1: het element %2 en %3 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vlakken: %4).</translation>
-    </message>
-    <message>
-        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
-        <translation>%1: het element %2 en %3 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vormen: %4).</translation>
-    </message>
-    <message>
-        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
-        <translation>de samenstelling verwijst naar het bestand %1, dat er niet is: de onderdelen ervan ontbreken. Zet het naast de samenstelling en open die opnieuw.</translation>
-    </message>
-    <message>
-        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
-        <translation>de samenstelling verwijst naar %1 bestanden die er niet zijn: %2. Hun onderdelen ontbreken; zet ze naast de samenstelling en open die opnieuw.</translation>
-    </message>
-    <message>
-        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
-        <translation>%1: de lezer liep vast op wat het bestand naast zijn vormen zegt; die zijn gelezen zonder namen, kleuren en samenstellingen, en zonder andere bestanden waarnaar het verwijst.</translation>
-    </message>
-    <message>
-        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
-        <translation>%1: het bestand mengt de lengte-eenheden %2 en %3; controleer de maten van de onderdelen.</translation>
-    </message>
-    <message>
-        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1: zijn schema &quot;%2&quot; is er geen voor CAD-onderdelen; controleer of er niets ontbreekt.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
-        <translation>%1: het onderdeel is %2 lang; als zijn lengten %3 zijn, is het %4.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
-        <translation>%1: de onderdelen zijn samen %2 lang; als hun lengten %3 zijn, zijn ze %4.</translation>
-    </message>
-    <message>
-        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
-        <translation>%1: het onderdeel is %2 lang; als zijn lengten %3 zijn, is het %4. Open dat bestand alleen om het te verbeteren.</translation>
-    </message>
-    <message>
-        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
-        <translation>%1: de onderdelen zijn samen %2 lang; als hun lengten %3 zijn, zijn ze %4. Open dat bestand alleen om het te verbeteren.</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>millimeters</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centimeters</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>meters</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>inches</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>voeten</translation>
-    </message>
-    <message>
-        <source>micrometres</source>
-        <translation>micrometers</translation>
-    </message>
-    <message>
-        <source>decimetres</source>
-        <translation>decimeters</translation>
-    </message>
-    <message>
-        <source>kilometres</source>
-        <translation>kilometers</translation>
-    </message>
-    <message>
-        <source>miles</source>
-        <translation>mijlen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no triangles.</source>
-        <translation>&quot;%1&quot; heeft geen driehoeken.</translation>
-    </message>
-    <message>
-        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>1 vorm van het STEP-bestand kon niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
-    </message>
-    <message>
-        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
-        <translation>%1 vormen van het STEP-bestand konden niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was left out: %2.</source>
-        <translation>&quot;%1&quot; is weggelaten: %2.</translation>
-    </message>
-    <message>
-        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
-        <translation>het heeft geen eindige grootte: getallen erin zijn beschadigd, of de randen zijn kleiner dan 0.1 um en verloren; controleer de lengte-eenheid</translation>
-    </message>
-    <message>
-        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
-        <translation>het reikt verder dan 100 km van de oorsprong; controleer de lengte-eenheid en de plaats</translation>
-    </message>
-    <message>
-        <source>its faces lead far away from their edges: numbers in it are damaged</source>
-        <translation>de vlakken lopen ver van hun randen weg: getallen erin zijn beschadigd</translation>
-    </message>
-    <message>
-        <source>it is smaller than a micrometre; check the length unit</source>
-        <translation>het is kleiner dan een micrometer; controleer de lengte-eenheid</translation>
-    </message>
-    <message>
-        <source>its faces and edges are up to %1 apart, at a size of %2</source>
-        <translation>de vlakken en randen liggen tot %1 uit elkaar, bij een grootte van %2</translation>
-    </message>
-    <message>
-        <source>the solid has no volume</source>
-        <translation>het lichaam heeft geen volume</translation>
-    </message>
-    <message>
-        <source>it could not be measured (%1)</source>
-        <translation>het kon niet worden gemeten (%1)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
-        <translation>&quot;%1&quot; heeft geen oppervlak en wordt dus niet getoond.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>&quot;%1&quot; is geen gesloten lichaam: het wordt getoond, en niet gesimuleerd. Sluit de oppervlakken en importeer het opnieuw.</translation>
-    </message>
+</context>
+<context>
+    <name>Filling</name>
     <message>
         <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
         <translation>Een afstand van %1 vraagt meer dan %2 objecten. Kies een grotere afstand.</translation>
@@ -1750,6 +1806,10 @@
         <translation>Het oppervlak is niet gesloten: %1 randen van driehoeken hebben geen partner. Sluit de gaten en importeer opnieuw.</translation>
     </message>
     <message>
+        <source>A spacing of %1 cannot be used. Enter a length above 0.</source>
+        <translation>Een afstand van %1 is niet bruikbaar. Voer een lengte boven 0 in.</translation>
+    </message>
+    <message>
         <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
         <translation>Het oppervlak begrenst geen volume: de gaten zijn te groot om binnen van buiten te onderscheiden. Sluit ze en importeer opnieuw.</translation>
     </message>
@@ -1758,256 +1818,116 @@
         <translation>Het onderdeel is te dun voor een afstand van %1: geen cel bevat genoeg materiaal. Kies een kleinere afstand.</translation>
     </message>
     <message>
-        <source>its surface passes through itself near %1; other programs may refuse that.</source>
-        <translation>het oppervlak gaat door zichzelf heen bij %1; andere programma&apos;s kunnen dat weigeren.</translation>
+        <source>The surface is not closed. Close it and try again.</source>
+        <translation>Het oppervlak is niet gesloten. Sluit het en probeer het opnieuw.</translation>
     </message>
     <message>
-        <source>%1 of its faces could not be carried along: %2.</source>
-        <translation>%1 van de vlakken konden niet worden meegevoerd: %2.</translation>
+        <source>The spacing must be greater than 0.</source>
+        <translation>De afstand moet groter dan 0 zijn.</translation>
     </message>
     <message>
-        <source>an edge has no curve on its face</source>
-        <translation>een rand heeft geen kromme op het vlak</translation>
+        <source>The spacing is too small for a part of this size. Choose a larger one.</source>
+        <translation>De afstand is te klein voor een onderdeel van deze grootte. Kies een grotere.</translation>
     </message>
     <message>
-        <source>an edge has a curve on its face that does not match it</source>
-        <translation>de kromme van een rand op het vlak past er niet bij</translation>
-    </message>
-    <message>
-        <source>a face has no surface</source>
-        <translation>een vlak heeft geen geometrie</translation>
-    </message>
-    <message>
-        <source>a face has no border</source>
-        <translation>een vlak heeft geen begrenzing</translation>
-    </message>
-    <message>
-        <source>a face is degenerate</source>
-        <translation>een vlak is ontaard</translation>
-    </message>
-    <message>
-        <source>its faces do not fit together any more as they are bent now.</source>
-        <translation>zo gebogen passen de vlakken niet meer op elkaar.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
-        <translation>&quot;%1&quot;: vlak %2 komt niet zo dicht bij de huid als beoogd, %3 mm; vlak %4 ligt er %5 mm naast.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
-        <translation>&quot;%1&quot;: %2 vlakken, %3, komen niet zo dicht bij de huid als beoogd, %4 mm; vlak %5 ligt er %6 mm naast.</translation>
-    </message>
-    <message>
-        <source>it came as a mesh, which has no smooth faces.</source>
-        <translation>het kwam als net, dat geen gladde vlakken heeft.</translation>
-    </message>
-    <message>
-        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
-        <translation>vlakken die vloeiend aansloten, maken nu een hoek bij %1; een kleinere tolerantie kan helpen.</translation>
-    </message>
-    <message>
-        <source>The file holds %1 parts where %2 were written.</source>
-        <translation>Het bestand bevat %1 onderdelen waar er %2 zijn geschreven.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
-        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: 1 van de verbindingen is gebroken, en de huid overspant de scheur, bij %3 tot %2 keer de lengte gerekt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
-        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: %2 van de verbindingen zijn gebroken, en de huid overspant de scheur, bij %4 tot %3 keer de lengte gerekt.</translation>
-    </message>
-    <message>
-        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
-        <translation>te weinig objecten hangen samen om te zeggen hoe het vervormd is: het wordt in zijn rustvorm geschreven, verplaatst zoals zij.</translation>
-    </message>
-    <message>
-        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
-        <translation>van de scheuren konden geen vlakken worden gemaakt: andere stukken ervan worden er als één geheel mee geschreven; objecten erin: %1.</translation>
-    </message>
-    <message>
-        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
-        <translation>stukken die te klein zijn voor een eigen vorm worden als deel ervan geschreven; objecten erin: %1.</translation>
-    </message>
-    <message>
-        <source>its bent faces were not found again in the file when that was read back.</source>
-        <translation>de gebogen vlakken ervan zijn in het teruggelezen bestand niet teruggevonden.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
-        <translation>De simulatie is bij %1 s gestopt: %2 Ze ging terug naar %3 s.</translation>
-    </message>
-    <message>
-        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
-        <translation>een positie is geen getal meer. %1 of het materiaal zachter maken, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
-        <translation>objecten bewogen met %1 m/s. %2 of de dempingsgraad verhogen, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>Make the tools slower</source>
-        <translation>De gereedschappen langzamer maken</translation>
-    </message>
-    <message>
-        <source>Lower gravity</source>
-        <translation>De zwaartekracht verlagen</translation>
-    </message>
-    <message>
-        <source>Move bodies and fixtures slower</source>
-        <translation>Lichamen en inklemmingen langzamer bewegen</translation>
-    </message>
-    <message>
-        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
-        <translation>materiaal van %1 is platgedrukt of binnenstebuiten gekeerd. Minder ver drukken, de dwarscontractiecoëfficiënt of de vloeigrens verhogen, of het onderdeel met een kleinere afstand vullen, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>the body</source>
-        <translation>het lichaam</translation>
-    </message>
-    <message>
-        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
-        <translation>objecten van %1 bewogen met %2 m/s, en niets in de scène maakt ze sneller dan %3 m/s. %4 of de dempingsgraad verhogen, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
-        <translation>%1 J kwamen uit het niets, van %2 J in de scène: de stappen volgen het materiaal niet meer. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
-        <translation>de vergelijkingen van %1 stappen achter elkaar waren niet op te lossen, hoewel de laatste maar %2 s duurde. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
-        <translation>Het gereedschap &quot;%1&quot; zit %2 mm diep in %3: het erbuiten laten beginnen, minder ver drukken, het langzamer maken</translation>
-    </message>
-    <message>
-        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
-        <translation>Een kortere tijdstap voor de massaschaling kiezen, die %1 % aan de massa toevoegde</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
-        <translation>er is niet genoeg geheugen om door te gaan. Sluit andere programma&apos;s of vul het onderdeel met een grotere afstand, dan terugzetten.</translation>
-    </message>
-    <message>
-        <source>%1 Reset, or go to an earlier moment.</source>
-        <translation>%1 Zet terug, of ga naar een eerder moment.</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped: %1</source>
-        <translation>De simulatie is gestopt: %1</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
-        <translation>Het gereedschap &quot;%1&quot; begint %2 mm binnen in %3, dat met grote kracht en in zeer korte stappen wordt weggeduwd. Laat het erbuiten beginnen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
-        <translation>&quot;%1&quot; is in %2 stukken gebroken, en een star lichaam zou ze vastlassen waar ze zijn. Houd het vervormbaar, of zet terug voordat het star wordt.</translation>
-    </message>
-    <message>
-        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
-        <translation>De vergelijkingen van de stap bij %1 s waren niet op te lossen: krachten en posities zijn vanaf daar ruw. Maak gereedschappen langzamer, of kies een kortere tijdstap.</translation>
-    </message>
-    <message>
-        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
-        <translation>de gekozen tijdstap van %1 s is langer dan de stabiele van %2 s. Kies een kortere, of een zachter of sterker gedempt materiaal.</translation>
-    </message>
-    <message>
-        <source>the part is torn; this is one of %1 pieces.</source>
-        <translation>het onderdeel is gescheurd; dit is een van %1 stukken.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
-        <translation>teruggelezen uit het bestand doorstaan de gebogen vlakken de geometriecontrole niet.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces leave gaps.</source>
-        <translation>teruggelezen uit het bestand laten de gebogen vlakken kieren.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>teruggelezen uit het bestand liggen de gebogen vlakken tot %1 mm naast de huid waar %2 mm is toegestaan.</translation>
-    </message>
-    <message>
-        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
-        <translation>teruggelezen uit het bestand omsluiten de gebogen vlakken een volume dat %1 % afwijkt van dat van de huid.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
-        <translation>&quot;%1&quot; zou %2 platte vlakken nodig hebben, meer dan CAD-programma&apos;s aankunnen; exporteer het als net.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
-        <translation>&quot;%1&quot; is een open net, dat CAD-bestanden niet kunnen bevatten; verberg het, of exporteer als net.</translation>
-    </message>
-    <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 % te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
+        <source>No sphere has its center inside the part. Choose a smaller spacing.</source>
+        <translation>Geen bol heeft zijn middelpunt in het onderdeel. Kies een kleinere afstand.</translation>
     </message>
     <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
         <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen vele malen te stijf. Vul met een afstand van %3 voor %4 cellen, ongeveer %5 objecten.</translation>
     </message>
     <message>
-        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
-        <translation>De energie klopt niet: %1 % van alles wat rondging. Kies een kortere tijdstap, of maak gereedschap langzamer.</translation>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 % te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
     </message>
     <message>
-        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
-        <translation>Gereedschap of de vloer drong %1 afstanden in materiaal: vormen en krachten zijn daar ruw. Druk minder ver, of kies een kleinere afstand.</translation>
+        <source>A point of the surface is nowhere.</source>
+        <translation>Een punt van het oppervlak ligt nergens.</translation>
     </message>
     <message>
-        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
-        <translation>Massaschaling maakte %1 % van de massa: wat slingert en wat geworpen wordt is langzamer dan het zou zijn. Kies er een kortere tijdstap voor.</translation>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; heeft geen oppervlak en wordt dus niet getoond.</translation>
     </message>
     <message>
-        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Een lichaam kan vrij bewegen: houd het vast, of laat de tijd lopen (dynamic) tot het ergens op rust.</translation>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; is geen gesloten lichaam: het wordt getoond, en niet gesimuleerd. Sluit de oppervlakken en importeer het opnieuw.</translation>
     </message>
     <message>
-        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 is star en kan vrij bewegen: houd het vast, maak het vervormbaar, of laat de tijd lopen (dynamic).</translation>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
     </message>
     <message>
-        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen (dynamic).</translation>
+        <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>%1: het bestand bevat geen lichaam en geen oppervlak; exporteer het onderdeel als lichaam.</translation>
     </message>
     <message>
-        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
-        <translation>%1: een gedraaid vlak is over zijn naad heen begrensd, en het bestand zegt niet aan welke kant van zijn rand het ligt; controleer het volume van zijn onderdeel.</translation>
+        <source>%1: no closed body found. Close the surfaces in the CAD program and export again.</source>
+        <translation>%1: geen gesloten lichaam gevonden. Sluit de oppervlakken in het CAD-programma en exporteer opnieuw.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>Er kwam 1 vlak bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+        <source>The spacing of another filling must be more than 0.</source>
+        <translation>De afstand van een andere vulling moet groter dan 0 zijn.</translation>
     </message>
     <message>
-        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>Er kwamen %1 vlakken bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+        <source>&quot;%1&quot; has no surface that it could be filled from.</source>
+        <translation>&quot;%1&quot; heeft geen oppervlak waaruit het gevuld kan worden.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
-        <translation>&quot;%1&quot;: vlak %2 bestaat uit platte driehoeken; de andere vlakken zijn glad.</translation>
+        <source>&quot;%1&quot; is arranged as published, which filling anew does not know.</source>
+        <translation>&quot;%1&quot; is gerangschikt zoals gepubliceerd, wat opnieuw vullen niet kent.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
-        <translation>&quot;%1&quot;: vlakken %2 bestaan uit platte driehoeken; de andere vlakken zijn glad.</translation>
+        <source>&quot;%1&quot; is not deformable, and keeps its shape.</source>
+        <translation>&quot;%1&quot; is niet vervormbaar en houdt zijn vorm.</translation>
     </message>
     <message>
-        <source>its faces were not found again as they were written.</source>
-        <translation>de vlakken zijn niet teruggevonden zoals ze geschreven zijn.</translation>
+        <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
+        <translation>&quot;%1&quot; is elastisch: het houdt zijn rustvorm en wordt niet opnieuw gevuld. Laat het vloeien, of hernormaliseer het.</translation>
     </message>
     <message>
-        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>teruggelezen uit het bestand liggen de platte vlakken tot %1 mm naast de huid, waar %2 mm is toegestaan.</translation>
+        <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
+        <translation>&quot;%1&quot; heeft scheuren, die een andere vulling zou vervagen: alleen wat heelt wordt ermee opnieuw gevuld.</translation>
     </message>
     <message>
-        <source>read back from the file, its bent faces are inside out.</source>
-        <translation>teruggelezen uit het bestand zijn de gebogen vlakken binnenstebuiten.</translation>
+        <source>&quot;%1&quot; came apart after its skin was drawn out far: pieces of such a body are not filled anew.</source>
+        <translation>&quot;%1&quot; viel uiteen nadat de huid ver was uitgetrokken: stukken van zo&apos;n lichaam worden niet opnieuw gevuld.</translation>
     </message>
     <message>
-        <source>other programs may read it inside out, as it came back here.</source>
-        <translation>andere programma’s lezen het misschien binnenstebuiten, zoals het hier terugkwam.</translation>
+        <source>&quot;%1&quot; has cracks that gape, which another filling would close.</source>
+        <translation>&quot;%1&quot; heeft gapende scheuren, die een andere vulling zou sluiten.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
+        <translation>&quot;%1&quot; heeft een belasting op een blok, dat niets zegt over de huidige vorm. Zet ze op vlakken.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; moves out of all bounds.</source>
+        <translation>&quot;%1&quot; beweegt buiten alle grenzen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is still being pushed out of a tool that was put into it.</source>
+        <translation>&quot;%1&quot; wordt nog uit een gereedschap geduwd dat erin is gezet.</translation>
+    </message>
+    <message>
+        <source>its cracks gape, and would be filled.</source>
+        <translation>de scheuren gapen en zouden gevuld worden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be filled anew: %2</source>
+        <translation>&quot;%1&quot; kon niet opnieuw gevuld worden: %2</translation>
+    </message>
+    <message>
+        <source>cracks touch the surface without crossing it</source>
+        <translation>scheuren raken het oppervlak zonder het te kruisen</translation>
+    </message>
+    <message>
+        <source>what of it has grown together could not be followed back to what was opened.</source>
+        <translation>wat ervan is samengegroeid kon niet worden teruggevolgd naar wat geopend werd.</translation>
+    </message>
+    <message>
+        <source>its cracks could not be made surfaces.</source>
+        <translation>de scheuren konden geen oppervlakken worden.</translation>
     </message>
 </context>
 <context>
@@ -2027,6 +1947,29 @@
     <message>
         <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
         <translation>%1 kan niet worden gemaakt (%2). Kies een andere naam voor de map met beelden.</translation>
+    </message>
+</context>
+<context>
+    <name>Fixture</name>
+    <message>
+        <source>Fixture &quot;%1&quot; names a body that does not exist.</source>
+        <translation>De inklemming &quot;%1&quot; noemt een lichaam dat niet bestaat.</translation>
+    </message>
+    <message>
+        <source>There is no fixture number %1.</source>
+        <translation>Er is geen inklemming nummer %1.</translation>
+    </message>
+    <message>
+        <source>A fixture must not move faster than 100 m/s.</source>
+        <translation>Een inklemming mag niet sneller dan 100 m/s bewegen.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must turn about a place, by more than 0, and no faster than 10000 rad/s.</source>
+        <translation>De inklemming &quot;%1&quot; moet om een plaats draaien, over meer dan 0, en niet sneller dan 10000 rad/s.</translation>
+    </message>
+    <message>
+        <source>Fixture &quot;%1&quot; must not move faster than 100 m/s.</source>
+        <translation>De inklemming &quot;%1&quot; mag niet sneller dan 100 m/s bewegen.</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2288,161 @@
     </message>
 </context>
 <context>
+    <name>History</name>
+    <message>
+        <source>a number of an object is none</source>
+        <translation>een getal van een object is er geen</translation>
+    </message>
+    <message>
+        <source>a filling has no lattice</source>
+        <translation>een vulling heeft geen rooster</translation>
+    </message>
+    <message>
+        <source>a connection of a filling leads nowhere</source>
+        <translation>een verbinding van een vulling leidt nergens heen</translation>
+    </message>
+    <message>
+        <source>a filling is not as it can be</source>
+        <translation>een vulling is zoals ze niet kan zijn</translation>
+    </message>
+    <message>
+        <source>a former shape has too many before it</source>
+        <translation>een eerdere vorm heeft er te veel vóór zich</translation>
+    </message>
+    <message>
+        <source>a former shape has no carriers</source>
+        <translation>een eerdere vorm heeft geen dragers</translation>
+    </message>
+    <message>
+        <source>a former shape is none</source>
+        <translation>een eerdere vorm is er geen</translation>
+    </message>
+    <message>
+        <source>a former shape was parted where it could not be</source>
+        <translation>een eerdere vorm is gescheiden waar dat niet kan</translation>
+    </message>
+    <message>
+        <source>it ends early</source>
+        <translation>de gegevens eindigen te vroeg</translation>
+    </message>
+    <message>
+        <source>a yes or no is neither</source>
+        <translation>een ja of nee is geen van beide</translation>
+    </message>
+    <message>
+        <source>a choice is none of those there are</source>
+        <translation>een keuze is geen van de bestaande</translation>
+    </message>
+    <message>
+        <source>The history has no entries.</source>
+        <translation>De geschiedenis heeft geen invoeren.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: its entry %1 follows one that comes later.</source>
+        <translation>De geschiedenis is beschadigd: invoer %1 volgt op een die later komt.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: it is at an entry that it does not have.</source>
+        <translation>De geschiedenis is beschadigd: ze staat bij een invoer die ze niet heeft.</translation>
+    </message>
+    <message>
+        <source>Repeating what was done came to another state than it did then, as it does with another version of Knead. Go to an entry that is kept.</source>
+        <translation>Herhalen wat gedaan is leidde tot een andere toestand dan toen, zoals met een andere versie van Knead gebeurt. Ga naar een invoer die bewaard is.</translation>
+    </message>
+    <message>
+        <source>The project has no history: nothing was done in it yet that could be repeated.</source>
+        <translation>Het project heeft geen geschiedenis: er is nog niets in gedaan dat herhaald kan worden.</translation>
+    </message>
+    <message>
+        <source>The history is damaged: an entry begins with a start that is not there.</source>
+        <translation>De geschiedenis is beschadigd: een invoer begint met een begin dat er niet is.</translation>
+    </message>
+    <message>
+        <source>The entry before it was not reached.</source>
+        <translation>De invoer ervoor werd niet bereikt.</translation>
+    </message>
+    <message>
+        <source>it does not begin as one</source>
+        <translation>het begint niet als een moment</translation>
+    </message>
+    <message>
+        <source>it was written by another version of Knead</source>
+        <translation>een andere versie van Knead heeft het geschreven</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were written</source>
+        <translation>de bytes zijn niet die welke geschreven zijn</translation>
+    </message>
+    <message>
+        <source>This moment of the history cannot be read: %1. Go to an earlier one and repeat from there.</source>
+        <translation>Dit moment van de geschiedenis kan niet gelezen worden: %1. Ga naar een eerder en herhaal vandaar.</translation>
+    </message>
+    <message>
+        <source>it has another number of bodies than the scene</source>
+        <translation>het heeft een ander aantal lichamen dan de scène</translation>
+    </message>
+    <message>
+        <source>a tool cannot be simulated</source>
+        <translation>een gereedschap kan niet gesimuleerd worden</translation>
+    </message>
+    <message>
+        <source>a fixture cannot be simulated</source>
+        <translation>een inklemming kan niet gesimuleerd worden</translation>
+    </message>
+    <message>
+        <source>a load cannot be simulated</source>
+        <translation>een belasting kan niet gesimuleerd worden</translation>
+    </message>
+    <message>
+        <source>a re-normalization under way is out of range</source>
+        <translation>een lopende hernormalisering valt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>a contact or joint is out of range</source>
+        <translation>een contact of verlijming valt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>een getal valt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>a material is out of range</source>
+        <translation>een materiaal valt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>objects are not where they can be</source>
+        <translation>objecten zijn waar ze niet kunnen zijn</translation>
+    </message>
+    <message>
+        <source>a mass is out of range</source>
+        <translation>een massa valt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>connections are not as they can be</source>
+        <translation>verbindingen zijn zoals ze niet kunnen zijn</translation>
+    </message>
+    <message>
+        <source>it goes on after its end</source>
+        <translation>de gegevens gaan na hun einde door</translation>
+    </message>
+    <message>
+        <source>a tool is made of a part that the document does not have</source>
+        <translation>een gereedschap is gemaakt van een onderdeel dat het document niet heeft</translation>
+    </message>
+    <message>
+        <source>a motion is none of those there are</source>
+        <translation>een beweging is geen van de bestaande</translation>
+    </message>
+    <message>
+        <source>The recording does not belong to this scene: it goes on at step %1, and the run is at step %2. Start from the scene it was made with.</source>
+        <translation>De opname hoort niet bij deze scène: ze gaat verder bij stap %1, en de simulatie is bij stap %2. Begin met de scène waarmee ze gemaakt is.</translation>
+    </message>
+    <message>
+        <source>The moment belongs to other bodies than these. Nothing was changed.</source>
+        <translation>Het moment hoort bij andere lichamen dan deze. Er is niets veranderd.</translation>
+    </message>
+</context>
+<context>
     <name>HistoryPanel</name>
     <message>
         <source>%1 kB</source>
@@ -2456,6 +2554,484 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Begin with an example</source>
         <translation>Met een voorbeeld beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>Iges</name>
+    <message>
+        <source>line %1 of the IGES file is not in 80 columns; the file is damaged, get it again.</source>
+        <translation>regel %1 van het IGES-bestand staat niet in 80 kolommen; het bestand is beschadigd, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the IGES file ends before its last line (T); it is cut off, get it again.</source>
+        <translation>het IGES-bestand eindigt vóór zijn laatste regel (T); het is afgekapt, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the IGES file lacks lines of its section %1; it is damaged, get it again.</source>
+        <translation>in het IGES-bestand ontbreken regels van sectie %1; het is beschadigd, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>a text in the IGES file claims to be %1 letters long, more than there are; the file is damaged.</source>
+        <translation>een tekst in het IGES-bestand zou %1 letters lang zijn, meer dan er zijn; het bestand is beschadigd.</translation>
+    </message>
+    <message>
+        <source>the IGES file has &quot;%1&quot; in place of a number; it is damaged, export it again.</source>
+        <translation>in het IGES-bestand staat &quot;%1&quot; in plaats van een getal; het is beschadigd, exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>an entity of type %1 in the IGES file claims %2 values and has %3; the file is damaged.</source>
+        <translation>een element van type %1 in het IGES-bestand noemt %2 waarden en heeft er %3; het bestand is beschadigd.</translation>
+    </message>
+    <message>
+        <source>line %1 of section D of the IGES file has another number; lines are lost, get the file again.</source>
+        <translation>regel %1 van sectie D van het IGES-bestand heeft een ander nummer; er zijn regels verloren, haal het bestand opnieuw op.</translation>
+    </message>
+    <message>
+        <source>has its values twice</source>
+        <translation>heeft zijn waarden twee keer</translation>
+    </message>
+    <message>
+        <source>is of another type where its values are</source>
+        <translation>is van een ander type waar zijn waarden staan</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file holds itself, or the entities are nested more than %2 deep; export it again.</source>
+        <translation>element %1 van het IGES-bestand bevat zichzelf, of de elementen zijn meer dan %2 diep genest; exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>refers to one without values</source>
+        <translation>verwijst naar een element zonder waarden</translation>
+    </message>
+    <message>
+        <source>refers to a vertex or edge that is not there</source>
+        <translation>verwijst naar een hoekpunt of rand die er niet is</translation>
+    </message>
+    <message>
+        <source>has %1 values where %2 are needed</source>
+        <translation>heeft %1 waarden waar er %2 nodig zijn</translation>
+    </message>
+    <message>
+        <source>states an impossible count</source>
+        <translation>noemt een onmogelijk aantal</translation>
+    </message>
+    <message>
+        <source>refers to something of the wrong kind or nothing at all</source>
+        <translation>verwijst naar iets verkeerds of naar niets</translation>
+    </message>
+    <message>
+        <source>entity %1 of the IGES file (type %2) %3; the file is damaged, export it again.</source>
+        <translation>element %1 van het IGES-bestand (type %2) %3; het bestand is beschadigd, exporteer het opnieuw.</translation>
+    </message>
+</context>
+<context>
+    <name>Import</name>
+    <message>
+        <source>the file asks for more memory than there is; it is damaged or far too detailed.</source>
+        <translation>het bestand vraagt meer geheugen dan er is; het is beschadigd of veel te gedetailleerd.</translation>
+    </message>
+    <message>
+        <source>the CAD reader gave up (%1); the file is damaged, export it again.</source>
+        <translation>de CAD-lezer gaf het op (%1); het bestand is beschadigd, exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>the assembly is nested more than %1 levels deep; export a part of it.</source>
+        <translation>de samenstelling is meer dan %1 niveaus diep genest; exporteer een deel ervan.</translation>
+    </message>
+    <message>
+        <source>the assembly has more than %1 parts; export the parts you need.</source>
+        <translation>de samenstelling heeft meer dan %1 onderdelen; exporteer de onderdelen die u nodig hebt.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1: het bestand mengt de lengte-eenheden %2 en %3; controleer de maten van de onderdelen.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1: zijn schema &quot;%2&quot; is er geen voor CAD-onderdelen; controleer of er niets ontbreekt.</translation>
+    </message>
+    <message>
+        <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
+        <translation>de STEP-tekst heeft fouten waar de lezer niet overheen komt; exporteer het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>an assembly in the file holds itself; export the file again, or its parts one by one.</source>
+        <translation>een samenstelling in het bestand bevat zichzelf; exporteer het bestand opnieuw, of de onderdelen een voor een.</translation>
+    </message>
+    <message>
+        <source>the assembly unfolds to more than %1 parts; export the parts you need.</source>
+        <translation>de samenstelling ontvouwt zich tot meer dan %1 onderdelen; exporteer de onderdelen die u nodig hebt.</translation>
+    </message>
+    <message>
+        <source>no shape of the STEP file could be made; export the file again.</source>
+        <translation>van het STEP-bestand kon geen vorm worden gemaakt; exporteer het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>the IGES text has errors that the reader cannot get over; export the file again, best as STEP.</source>
+        <translation>de IGES-tekst heeft fouten waar de lezer niet overheen komt; exporteer het bestand opnieuw, het liefst als STEP.</translation>
+    </message>
+    <message>
+        <source>no shape of the IGES file could be made; export the file again, best as STEP.</source>
+        <translation>van het IGES-bestand kon geen vorm worden gemaakt; exporteer het bestand opnieuw, het liefst als STEP.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged; get it again.</source>
+        <translation>het BREP-bestand is afgekapt of beschadigd; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the BREP file is damaged, or newer than the reader; save it again in an older version.</source>
+        <translation>het BREP-bestand is beschadigd, of nieuwer dan de lezer; sla het opnieuw op in een oudere versie.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Het lichaam was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>heeft vlakken die niet goed aansluiten: zijn volume is %1 onzeker.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>is een open oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>is niet gesloten: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>is een gesloten oppervlak maar geen lichaam; het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>kon niet met een gesloten net van driehoeken worden bedekt; het kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>doorstaat de controles van de geometrie niet; bekijk het goed voordat u erop vertrouwt.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>heeft spleten tot %1, een honderdste van zijn grootte of meer.</translation>
+    </message>
+    <message>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>heeft 1 vlak waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
+    </message>
+    <message>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>heeft %1 vlakken waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
+    </message>
+    <message>
+        <source>there is no part or assembly &quot;%1&quot; in it; knead info --json lists the paths of all parts.</source>
+        <translation>er is geen onderdeel of samenstelling &quot;%1&quot; in; knead info --json noemt de paden van alle onderdelen.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>het heeft geen eindige grootte: getallen erin zijn beschadigd, of de randen zijn kleiner dan 0.1 um en verloren; controleer de lengte-eenheid</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>het reikt verder dan 100 km van de oorsprong; controleer de lengte-eenheid en de plaats</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>de vlakken lopen ver van hun randen weg: getallen erin zijn beschadigd</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>het is kleiner dan een micrometer; controleer de lengte-eenheid</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>de vlakken en randen liggen tot %1 uit elkaar, bij een grootte van %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>het lichaam heeft geen volume</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; is weggelaten: %2.</translation>
+    </message>
+    <message>
+        <source>the file holds no solid and no surface; export the part as a solid.</source>
+        <translation>het bestand bevat geen lichaam en geen oppervlak; exporteer het onderdeel als lichaam.</translation>
+    </message>
+    <message>
+        <source>%1 Of %2 parts like that none is left.</source>
+        <translation>%1 Van %2 zulke onderdelen is er geen over.</translation>
+    </message>
+    <message>
+        <source>this version of BREP is unknown (&quot;%1&quot;); save the file in an older version.</source>
+        <translation>deze versie van BREP is onbekend (&quot;%1&quot;); sla het bestand op in een oudere versie.</translation>
+    </message>
+    <message>
+        <source>the BREP file states an impossible number of %1; it is damaged, get it again.</source>
+        <translation>het BREP-bestand noemt een onmogelijk aantal %1; het is beschadigd, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the BREP file is cut off or damaged: sections are missing; get it again.</source>
+        <translation>het BREP-bestand is afgekapt of beschadigd: er ontbreken secties; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened; check that you may read it.</source>
+        <translation>het bestand kan niet worden geopend; controleer of u het mag lezen.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; the disk or the connection to it failed.</source>
+        <translation>het bestand kan niet worden gelezen; de schijf of de verbinding ermee faalde.</translation>
+    </message>
+    <message>
+        <source>the file does not exist.</source>
+        <translation>het bestand bestaat niet.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened (%1).</source>
+        <translation>het bestand kan niet worden geopend (%1).</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file.</source>
+        <translation>dit is een map, geen bestand.</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file.</source>
+        <translation>dit is geen gewoon bestand.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>het bestand is leeg.</translation>
+    </message>
+    <message>
+        <source>this is a JSON text, but no glTF (&quot;asset&quot; is missing in it); export the part as STEP.</source>
+        <translation>dit is een JSON-tekst, maar geen glTF (&quot;asset&quot; ontbreekt erin); exporteer het onderdeel als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a text, but none of %1; export the part as STEP.</source>
+        <translation>dit is een tekst, maar geen van %1; exporteer het onderdeel als STEP.</translation>
+    </message>
+    <message>
+        <source>the content is none of %1; export the part as STEP.</source>
+        <translation>de inhoud is geen van %1; exporteer het onderdeel als STEP.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>is onvolledig: %1 van %2 vlakken van een schaal konden worden gelezen; de andere zijn in het bestand beschadigd.</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>het kon niet worden gemeten (%1)</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive; unpack it and open the file inside.</source>
+        <translation>dit is een gzip-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is a bzip2 archive; unpack it and open the file inside.</source>
+        <translation>dit is een bzip2-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is a 7z archive; unpack it and open the file inside.</source>
+        <translation>dit is een 7z-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is an xz archive; unpack it and open the file inside.</source>
+        <translation>dit is een xz-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is a zstd archive; unpack it and open the file inside.</source>
+        <translation>dit is een zstd-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is a rar archive; unpack it and open the file inside.</source>
+        <translation>dit is een rar-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>this is a tar archive; unpack it and open the file inside.</source>
+        <translation>dit is een tar-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.</source>
+        <translation>de tekst is UTF-16; sla hem op als gewone tekst (ASCII of UTF-8) en open hem opnieuw.</translation>
+    </message>
+    <message>
+        <source>this is a PDF document; ask for the STEP file of the part.</source>
+        <translation>dit is een PDF-document; vraag om het STEP-bestand van het onderdeel.</translation>
+    </message>
+    <message>
+        <source>this is a picture; ask for the STEP file of the part.</source>
+        <translation>dit is een afbeelding; vraag om het STEP-bestand van het onderdeel.</translation>
+    </message>
+    <message>
+        <source>this is a database, not a CAD or mesh file.</source>
+        <translation>dit is een database, geen CAD- of netbestand.</translation>
+    </message>
+    <message>
+        <source>this is a native file of another program; export it as STEP there.</source>
+        <translation>dit is een eigen bestand van een ander programma; exporteer het daar als STEP.</translation>
+    </message>
+    <message>
+        <source>this is an AutoCAD drawing (DWG); export the part as STEP there.</source>
+        <translation>dit is een AutoCAD-tekening (DWG); exporteer het onderdeel daar als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a program, not a CAD or mesh file.</source>
+        <translation>dit is een programma, geen CAD- of netbestand.</translation>
+    </message>
+    <message>
+        <source>this is a web page, not a CAD file; the download may have failed.</source>
+        <translation>dit is een webpagina, geen CAD-bestand; het downloaden is misschien mislukt.</translation>
+    </message>
+    <message>
+        <source>this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).</source>
+        <translation>dit is STEP als XML (deel 28, stpx), dat hier niet wordt gelezen; exporteer het onderdeel als STEP-tekst (stp).</translation>
+    </message>
+    <message>
+        <source>this is an XML text and not one of the files that are read here; export the part as STEP.</source>
+        <translation>dit is een XML-tekst en geen van de bestanden die hier worden gelezen; exporteer het onderdeel als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that is cut off or damaged; get it again.</source>
+        <translation>dit is een zip-archief dat is afgekapt of beschadigd; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>this is a Word document; ask for the STEP file of the part.</source>
+        <translation>dit is een Word-document; vraag om het STEP-bestand van het onderdeel.</translation>
+    </message>
+    <message>
+        <source>this is an Excel workbook; ask for the STEP file of the part.</source>
+        <translation>dit is een Excel-werkmap; vraag om het STEP-bestand van het onderdeel.</translation>
+    </message>
+    <message>
+        <source>this is a PowerPoint presentation; ask for the STEP file of the part.</source>
+        <translation>dit is een PowerPoint-presentatie; vraag om het STEP-bestand van het onderdeel.</translation>
+    </message>
+    <message>
+        <source>this is a FreeCAD document; export the part as STEP there.</source>
+        <translation>dit is een FreeCAD-document; exporteer het onderdeel daar als STEP.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive that holds &quot;%1&quot; (compressed STEP, stpz); unpack it and open that file.</source>
+        <translation>dit is een zip-archief dat &quot;%1&quot; bevat (gecomprimeerd STEP, stpz); pak het uit en open dat bestand.</translation>
+    </message>
+    <message>
+        <source>this is a zip archive; unpack it and open the file inside.</source>
+        <translation>dit is een zip-archief; pak het uit en open het bestand erin.</translation>
+    </message>
+    <message>
+        <source>the %1 file is damaged and cannot be read; export it again.</source>
+        <translation>het %1-bestand is beschadigd en kan niet worden gelezen; exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>the GLB is damaged, or of another version than 2; export it again as glTF 2.0.</source>
+        <translation>het GLB-bestand is beschadigd, of van een andere versie dan 2; exporteer het opnieuw als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the GLB is cut off or damaged; get it again.</source>
+        <translation>het GLB-bestand is afgekapt of beschadigd; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version unknown, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>dit is een glTF van onbekende versie, maar alleen 2 kan worden gelezen; exporteer het opnieuw als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>this is a glTF of version %1, but only 2 can be read; export it again as glTF 2.0.</source>
+        <translation>dit is een glTF van versie %1, maar alleen 2 kan worden gelezen; exporteer het opnieuw als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>the glTF is compressed (%1), which is not read here; export it without compression.</source>
+        <translation>het glTF-bestand is gecomprimeerd (%1), wat hier niet wordt gelezen; exporteer het zonder compressie.</translation>
+    </message>
+    <message>
+        <source>the glTF keeps its numbers in &quot;%1&quot;, which is not beside it; put it there.</source>
+        <translation>het glTF-bestand bewaart zijn getallen in &quot;%1&quot;, dat er niet naast staat; zet het daar.</translation>
+    </message>
+    <message>
+        <source>a node of the glTF is in two others; the file is damaged, export it again.</source>
+        <translation>een knoop van het glTF-bestand zit in twee andere; het bestand is beschadigd, exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>nodes of the glTF hold themselves or are nested more than %1 deep; export it again.</source>
+        <translation>knopen van het glTF-bestand bevatten zichzelf of zijn meer dan %1 diep genest; exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>the glTF file is cut off or damaged; get it again.</source>
+        <translation>het glTF-bestand is afgekapt of beschadigd; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the %1 file has triangles with corners that are not there; it is damaged, get it again.</source>
+        <translation>het %1-bestand heeft driehoeken met hoeken die er niet zijn; het is beschadigd, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>is geen gesloten oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>heeft geen volume; het kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>the line &quot;%1&quot; in the header of the PLY file is damaged; get it again.</source>
+        <translation>de regel &quot;%1&quot; in de kop van het PLY-bestand is beschadigd; haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the header of the PLY file has no end; it is cut off or damaged, get it again.</source>
+        <translation>de kop van het PLY-bestand heeft geen einde; het is afgekapt of beschadigd, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the PLY file holds fewer numbers than its header promises; it is cut off, get it again.</source>
+        <translation>het PLY-bestand bevat minder getallen dan zijn kop belooft; het is afgekapt, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1: het 3MF-bestand houdt zich op 1 plaats niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1: het 3MF-bestand houdt zich op %2 plaatsen niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
+    </message>
+    <message>
+        <source>the 3MF builds no object; export it again with the parts in its build.</source>
+        <translation>het 3MF-bestand bouwt geen object; exporteer het opnieuw met de onderdelen in de opbouw.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than %1 objects, or nests them more than %2 deep; export the parts you need.</source>
+        <translation>het 3MF-bestand ontvouwt zich tot meer dan %1 objecten, of nest ze meer dan %2 diep; exporteer de onderdelen die u nodig hebt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; heeft geen driehoeken.</translation>
+    </message>
+    <message>
+        <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
+        <translation>het 3MF-bestand ontvouwt zich tot meer dan 200 miljoen driehoeken; exporteer de onderdelen die u nodig hebt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length unit; choose one of %2.</source>
+        <translation>&quot;%1&quot; is geen lengte-eenheid; kies er een van %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; the file is damaged, or needs a longer time limit.</source>
+        <translation>Er is niets geïmporteerd; het bestand is beschadigd, of heeft een langere tijdslimiet nodig.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported; export the file again, best as STEP.</source>
+        <translation>Er is niets geïmporteerd; exporteer het bestand opnieuw, het liefst als STEP.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was imported; try again.</source>
+        <translation>het resultaat van de lezer is beschadigd (%1). Er is niets geïmporteerd; probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1: de lezer liep vast op wat het bestand naast zijn vormen zegt; die zijn gelezen zonder namen, kleuren en samenstellingen, en zonder andere bestanden waarnaar het verwijst.</translation>
+    </message>
+    <message>
+        <source>There is no file to open.</source>
+        <translation>Er is geen bestand om te openen.</translation>
     </message>
 </context>
 <context>
@@ -2781,6 +3357,37 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Load</name>
+    <message>
+        <source>A load must not be larger than 1e12 N, N m or Pa.</source>
+        <translation>Een belasting mag niet groter dan 1e12 N, N m of Pa zijn.</translation>
+    </message>
+    <message>
+        <source>A load must rise within 0 to 3600 s.</source>
+        <translation>Een belasting moet binnen 0 tot 3600 s toenemen.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; acts on nothing.</source>
+        <translation>De belasting &quot;%1&quot; werkt op niets.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names an object that does not exist.</source>
+        <translation>De belasting &quot;%1&quot; noemt een object dat niet bestaat.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; has an area that is no number.</source>
+        <translation>De belasting &quot;%1&quot; heeft een oppervlakte die geen getal is.</translation>
+    </message>
+    <message>
+        <source>Load &quot;%1&quot; names a body that does not exist.</source>
+        <translation>De belasting &quot;%1&quot; noemt een lichaam dat niet bestaat.</translation>
+    </message>
+    <message>
+        <source>There is no load number %1.</source>
+        <translation>Er is geen belasting nummer %1.</translation>
+    </message>
+</context>
+<context>
     <name>LogPanel</name>
     <message>
         <source>Warning: %1</source>
@@ -2908,6 +3515,33 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Select something first.</source>
         <translation>Selecteer eerst iets.</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>%1 is %2; it must lie between %3 and %4.</source>
+        <translation>%1: %2 kan niet, toegestaan is %3 tot %4.</translation>
+    </message>
+    <message>
+        <source>The region names the object %1; the body has %2.</source>
+        <translation>Het gebied noemt het object %1; het lichaam heeft er %2.</translation>
+    </message>
+    <message>
+        <source>A body can be made of at most 255 different materials.</source>
+        <translation>Een lichaam kan uit hoogstens 255 verschillende materialen bestaan.</translation>
+    </message>
+    <message>
+        <source>A rigid body has no stress to lose. Make it deformable first.</source>
+        <translation>Een star lichaam heeft geen spanning te verliezen. Maak het eerst vervormbaar.</translation>
+    </message>
+    <message>
+        <source>Re-normalization takes 0 to 3600 s.</source>
+        <translation>Hernormaliseren duurt 0 tot 3600 s.</translation>
+    </message>
+    <message>
+        <source>There is no object number %1.</source>
+        <translation>Er is geen object nummer %1.</translation>
     </message>
 </context>
 <context>
@@ -3808,6 +4442,21 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Number</name>
+    <message>
+        <source>%1 billion</source>
+        <translation>%1 miljard</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 miljoen</translation>
+    </message>
+    <message>
+        <source>%1 thousand</source>
+        <translation>%1 duizend</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4268,6 +4917,245 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Project</name>
+    <message>
+        <source>what was done last</source>
+        <translation>wat het laatst is gedaan</translation>
+    </message>
+    <message>
+        <source>the state after &quot;%1&quot;</source>
+        <translation>de toestand na &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>a number in the table blobs is out of range</source>
+        <translation>een getal in de tabel blobs valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>a row of the table blobs cannot be unpacked</source>
+        <translation>een rij van de tabel blobs kan niet worden uitgepakt</translation>
+    </message>
+    <message>
+        <source>pieces of the table blobs are mixed up</source>
+        <translation>stukken van de tabel blobs zijn door elkaar geraakt</translation>
+    </message>
+    <message>
+        <source>Another window works on this: discard it there.</source>
+        <translation>Een ander venster werkt hieraan: verwerp het daar.</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>het kan niet worden uitgepakt</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>zo&apos;n bestand is er niet.</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a project.</source>
+        <translation>dit is een map, geen project.</translation>
+    </message>
+    <message>
+        <source>this is no file, and no project either.</source>
+        <translation>dit is geen bestand, en ook geen project.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions.</source>
+        <translation>het bestand kan niet worden gelezen; controleer de rechten ervan.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>het bestand is leeg.</translation>
+    </message>
+    <message>
+        <source>this is not a Knead project.</source>
+        <translation>dit is geen Knead-project.</translation>
+    </message>
+    <message>
+        <source>this is a database of another program, not a Knead project.</source>
+        <translation>dit is een database van een ander programma, geen Knead-project.</translation>
+    </message>
+    <message>
+        <source>%1: the project is damaged: %2. What is whole can be rescued.</source>
+        <translation>%1: het project is beschadigd: %2. Wat heel is, kan worden gered.</translation>
+    </message>
+    <message>
+        <source>there is a folder of this name; choose another name.</source>
+        <translation>er is een map met deze naam; kies een andere naam.</translation>
+    </message>
+    <message>
+        <source>the file is read-only; save the project under another name.</source>
+        <translation>het bestand is alleen-lezen; sla het project op onder een andere naam.</translation>
+    </message>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>de tabellen ervan zijn niet die van een project</translation>
+    </message>
+    <message>
+        <source>a newer Knead saved this project (version %1 of the file; this program reads up to %2). Update Knead to open it.</source>
+        <translation>een nieuwere Knead heeft dit project opgeslagen (versie %1 van het bestand; dit programma leest tot en met %2). Werk Knead bij om het te openen.</translation>
+    </message>
+    <message>
+        <source>what was written cannot be read back: %1</source>
+        <translation>wat is geschreven, kan niet worden teruggelezen: %1</translation>
+    </message>
+    <message>
+        <source>nothing of this project can be read any more; open a copy of it, or the part that it was made from.</source>
+        <translation>van dit project kan niets meer worden gelezen; open een kopie ervan, of het onderdeel waarvan het is gemaakt.</translation>
+    </message>
+    <message>
+        <source>another window works on it. Close it there, or open a copy.</source>
+        <translation>een ander venster werkt eraan. Sluit het daar, of open een kopie.</translation>
+    </message>
+    <message>
+        <source>another window of this program works on it. Close it there, or open a copy.</source>
+        <translation>een ander venster van dit programma werkt eraan. Sluit het daar, of open een kopie.</translation>
+    </message>
+    <message>
+        <source>another window works on it (process %1 on %2, since %3). Close it there, or open a copy.</source>
+        <translation>een ander venster werkt eraan (proces %1 op %2, sinds %3). Sluit het daar, of open een kopie.</translation>
+    </message>
+    <message>
+        <source>a fixture is of a body that is not there</source>
+        <translation>een inklemming is van een lichaam dat er niet is</translation>
+    </message>
+    <message>
+        <source>a fixture has objects that are not there</source>
+        <translation>een inklemming heeft objecten die er niet zijn</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>een aantal is negatief</translation>
+    </message>
+    <message>
+        <source>rows of the table contents are mixed up</source>
+        <translation>rijen van de tabel contents zijn door elkaar geraakt</translation>
+    </message>
+    <message>
+        <source>the number of rows of the table %1</source>
+        <translation>het aantal rijen van de tabel %1</translation>
+    </message>
+    <message>
+        <source>the table %1</source>
+        <translation>de tabel %1</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>het model</translation>
+    </message>
+    <message>
+        <source>tool part %1</source>
+        <translation>gereedschapsonderdeel %1</translation>
+    </message>
+    <message>
+        <source>start state %1</source>
+        <translation>begintoestand %1</translation>
+    </message>
+    <message>
+        <source>rows of the table bodies are mixed up</source>
+        <translation>rijen van de tabel bodies zijn door elkaar geraakt</translation>
+    </message>
+    <message>
+        <source>a body is of a part that is not there</source>
+        <translation>een lichaam is van een onderdeel dat er niet is</translation>
+    </message>
+    <message>
+        <source>a region has objects that are not there</source>
+        <translation>een gebied heeft objecten die er niet zijn</translation>
+    </message>
+    <message>
+        <source>entry %1</source>
+        <translation>regel %1</translation>
+    </message>
+    <message>
+        <source>which entry was shown</source>
+        <translation>welke regel werd getoond</translation>
+    </message>
+    <message>
+        <source>that entry is missing</source>
+        <translation>die regel ontbreekt</translation>
+    </message>
+    <message>
+        <source>it follows a later one</source>
+        <translation>hij volgt op een latere</translation>
+    </message>
+    <message>
+        <source>the entry that it follows is missing</source>
+        <translation>de regel waarop hij volgt, ontbreekt</translation>
+    </message>
+    <message>
+        <source>its start state is missing</source>
+        <translation>de begintoestand ervan ontbreekt</translation>
+    </message>
+    <message>
+        <source>the state of entry %1</source>
+        <translation>de toestand van regel %1</translation>
+    </message>
+    <message>
+        <source>it is of another length</source>
+        <translation>hij heeft een andere lengte</translation>
+    </message>
+    <message>
+        <source>the view</source>
+        <translation>het beeld</translation>
+    </message>
+    <message>
+        <source>mark %1</source>
+        <translation>markering %1</translation>
+    </message>
+    <message>
+        <source>its entry is missing</source>
+        <translation>de regel ervan ontbreekt</translation>
+    </message>
+    <message>
+        <source>what panel %1 kept</source>
+        <translation>wat paneel %1 bewaarde</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept for recovery (%1). Save the project, and make room in %2.</source>
+        <translation>Het werk kan niet voor herstel worden bewaard (%1). Sla het project op, en maak ruimte in %2.</translation>
+    </message>
+    <message>
+        <source>Nothing of the work that was kept in %1 can be read any more. Discard it, and open what was saved last.</source>
+        <translation>Van het werk dat in %1 was bewaard, kan niets meer worden gelezen. Verwerp het, en open wat het laatst is opgeslagen.</translation>
+    </message>
+    <message>
+        <source>its folder cannot be locked</source>
+        <translation>de map ervan kan niet worden vergrendeld</translation>
+    </message>
+    <message>
+        <source>Another window works on this already, or it was discarded: look for it there.</source>
+        <translation>Een ander venster werkt hier al aan, of het is verworpen: zoek het daar.</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2</source>
+        <translation>rij %1 van de tabel %2</translation>
+    </message>
+    <message>
+        <source>a value in the table %1 is of the wrong kind</source>
+        <translation>een waarde in de tabel %1 is van de verkeerde soort</translation>
+    </message>
+    <message>
+        <source>a number in the table %1 is out of range</source>
+        <translation>een getal in de tabel %1 valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 ontbreekt</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was written</source>
+        <translation>%1 is niet zoals die is geschreven</translation>
+    </message>
+    <message>
+        <source>what was done to the parts</source>
+        <translation>wat met de onderdelen is gedaan</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1: wat het laatst te zien was, kan niet worden getoond. %2 Wat heel is, kan worden gered.</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4484,9 +5372,504 @@ Gesimuleerd: %2, stap %3
         <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
         <translation>De onderdelen van dit project zijn verloren, zodat er niets van kan worden getoond. Open het onderdeel waarvan het is gemaakt.</translation>
     </message>
+</context>
+<context>
+    <name>Recipe</name>
     <message>
-        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
-        <translation>%1: wat het laatst te zien was, kan niet worden getoond. %2 Wat heel is, kan worden gered.</translation>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>de sonde &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it was filled anew with %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 noemt objecten van een lichaam dat opnieuw met %2 is gevuld, en hier is het opnieuw met %3 gevuld. Noem liever een blok, of behoud de afstand en wat ervoor wordt gedaan.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that was filled anew with %2, and here it is filled with the first %3. Name a box instead, or keep the spacing and what is done before.</source>
+        <translation>%1 noemt objecten van een lichaam dat opnieuw met %2 is gevuld, en hier is het met de eerste %3 gevuld. Noem liever een blok, of behoud de afstand en wat ervoor wordt gedaan.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not closed and is left out.</source>
+        <translation>&quot;%1&quot; is niet gesloten en wordt weggelaten.</translation>
+    </message>
+    <message>
+        <source>%1 has no tool part %2; it has %3 of them, counted from 0.</source>
+        <translation>%1 heeft geen gereedschapsonderdeel %2; het heeft er %3, geteld vanaf 0.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>het project heeft geen onderdelen.</translation>
+    </message>
+    <message>
+        <source>%1 names faces, but &quot;%2&quot; is a mesh without CAD faces; use box_mm.</source>
+        <translation>%1 noemt vlakken, maar &quot;%2&quot; is een net zonder CAD-vlakken; gebruik box_mm.</translation>
+    </message>
+    <message>
+        <source>%1 names the face %2, but &quot;%3&quot; has faces 0 to %4.</source>
+        <translation>%1 noemt vlak %2, maar &quot;%3&quot; heeft de vlakken 0 tot en met %4.</translation>
+    </message>
+    <message>
+        <source>%1 names faces of one body among several; add the key body.</source>
+        <translation>%1 noemt vlakken van één lichaam van meerdere; voeg de sleutel body toe.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing: no object lies there.</source>
+        <translation>%1 houdt niets vast: daar ligt geen object.</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>het gebied &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 names the body &quot;%2&quot;; the part has: %3.</source>
+        <translation>%1 noemt het lichaam &quot;%2&quot;; het onderdeel heeft: %3.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of one body among several; add the key body.</source>
+        <translation>%1 noemt objecten van één lichaam van meerdere; voeg de sleutel body toe.</translation>
+    </message>
+    <message>
+        <source>%1 names objects of a body that is filled with %2, and here it is filled with %3. Name a box instead, or keep the spacing.</source>
+        <translation>%1 noemt objecten van een lichaam dat met %2 is gevuld, en hier is het met %3 gevuld. Noem liever een blok, of behoud de afstand.</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>de inklemming &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>de belasting &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is on one body among several; add the key body.</source>
+        <translation>%1 werkt op één lichaam van meerdere; voeg de sleutel body toe.</translation>
+    </message>
+    <message>
+        <source>%1 acts on nothing: no surface lies there.</source>
+        <translation>%1 werkt op niets: daar ligt geen oppervlak.</translation>
+    </message>
+    <message>
+        <source>This recipe asks for balance without inertia, which &quot;knead run&quot; finds. Play carries it out as motion in time.</source>
+        <translation>Dit recept vraagt een evenwicht zonder traagheid, dat &quot;knead run&quot; vindt. Afspelen voert het uit als beweging in de tijd.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>het bestand</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3 %4</source>
+        <translation>%1, regel %2: %3 %4</translation>
+    </message>
+    <message>
+        <source>%1, got %2.</source>
+        <translation>%1; er staat %2.</translation>
+    </message>
+    <message>
+        <source>must be an object in { }</source>
+        <translation>moet een object in { } zijn</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;%1&quot;.</source>
+        <translation>moet de sleutel &quot;%1&quot; hebben.</translation>
+    </message>
+    <message>
+        <source>is not a known key; allowed here: %1.</source>
+        <translation>is geen bekende sleutel; hier toegestaan: %1.</translation>
+    </message>
+    <message>
+        <source>must be a list in [ ]</source>
+        <translation>moet een lijst in [ ] zijn</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes that is not empty</source>
+        <translation>moet een niet-lege tekst tussen aanhalingstekens zijn</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>moet een tekst tussen aanhalingstekens zijn</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>moet true of false zijn</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>moet een getal zijn</translation>
+    </message>
+    <message>
+        <source>must be a number between %1 and %2</source>
+        <translation>moet een getal tussen %1 en %2 zijn</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>moet een positief getal zijn</translation>
+    </message>
+    <message>
+        <source>must be a whole number between %1 and %2</source>
+        <translation>moet een geheel getal tussen %1 en %2 zijn</translation>
+    </message>
+    <message>
+        <source>must be a whole number between 0 and %1</source>
+        <translation>moet een geheel getal tussen 0 en %1 zijn</translation>
+    </message>
+    <message>
+        <source>must hold %1 numbers</source>
+        <translation>moet %1 getallen bevatten</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>regel %1, kolom %2</translation>
+    </message>
+    <message>
+        <source>%1: the key &quot;%2&quot; is given twice in the same object.</source>
+        <translation>%1: de sleutel &quot;%2&quot; staat twee keer in hetzelfde object.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1: lijsten en objecten zijn meer dan %2 diep genest.</translation>
+    </message>
+    <message>
+        <source>is used twice: &quot;%1&quot;.</source>
+        <translation>is twee keer gebruikt: &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>must hold the first and the last number of a stretch</source>
+        <translation>moet het eerste en het laatste nummer van een reeks bevatten</translation>
+    </message>
+    <message>
+        <source>makes a list longer than any that this program writes</source>
+        <translation>geeft een langere lijst dan dit programma ooit schrijft</translation>
+    </message>
+    <message>
+        <source>must be the number of a tool part of the project</source>
+        <translation>moet het nummer van een gereedschapsonderdeel van het project zijn</translation>
+    </message>
+    <message>
+        <source>must be one of those that this program knows</source>
+        <translation>moet een van degene zijn die dit programma kent</translation>
+    </message>
+    <message>
+        <source>must be the number of a part</source>
+        <translation>moet het nummer van een onderdeel zijn</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys box_mm and objects.</source>
+        <translation>mag maar een van de sleutels box_mm en objects hebben.</translation>
+    </message>
+    <message>
+        <source>must have at least one of the keys velocity_mm_s and turn.</source>
+        <translation>moet minstens een van de sleutels velocity_mm_s en turn hebben.</translation>
+    </message>
+    <message>
+        <source>must not be 0: it says which way the plane faces.</source>
+        <translation>mag niet 0 zijn: het zegt waar het vlak heen wijst.</translation>
+    </message>
+    <message>
+        <source>must be true.</source>
+        <translation>moet true zijn.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys %1 and %2.</source>
+        <translation>mag maar een van de sleutels %1 en %2 hebben.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys %1.</source>
+        <translation>moet precies een van de sleutels %1 hebben.</translation>
+    </message>
+    <message>
+        <source>must have either time_s or step.</source>
+        <translation>moet time_s of step hebben.</translation>
+    </message>
+    <message>
+        <source>needs an event with a step; say keyframes for times.</source>
+        <translation>heeft een gebeurtenis met een stap (step) nodig; gebruik keyframes voor tijden.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys path and %1.</source>
+        <translation>mag maar een van de sleutels path en %1 hebben.</translation>
+    </message>
+    <message>
+        <source>belongs to a change of material only.</source>
+        <translation>hoort alleen bij een wijziging van materiaal.</translation>
+    </message>
+    <message>
+        <source>must be one of %1 or a direction of 3 numbers</source>
+        <translation>moet een van %1 zijn, of een richting van 3 getallen</translation>
+    </message>
+    <message>
+        <source>must be a direction of 3 numbers that are not all 0</source>
+        <translation>moet een richting van 3 getallen zijn die niet alle 0 zijn</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>moet een van %1 zijn</translation>
+    </message>
+    <message>
+        <source>must be a path inside the output folder</source>
+        <translation>moet een pad binnen de uitvoermap zijn</translation>
+    </message>
+    <message>
+        <source>must end in one of %1</source>
+        <translation>moet eindigen op een van %1</translation>
+    </message>
+    <message>
+        <source>must have either axis and speed_deg_s, or angular_velocity_rad_s.</source>
+        <translation>moet axis en speed_deg_s hebben, of angular_velocity_rad_s.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angle_deg and angle_rad.</source>
+        <translation>mag maar een van de sleutels angle_deg en angle_rad hebben.</translation>
+    </message>
+    <message>
+        <source>belongs to manipulators of the kind part only.</source>
+        <translation>hoort alleen bij gereedschappen van de soort part.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind part; its file says how large it is.</source>
+        <translation>hoort niet bij de soort part; het bestand ervan zegt hoe groot het is.</translation>
+    </message>
+    <message>
+        <source>must be later than the frame before it</source>
+        <translation>moet later zijn dan het beeld ervoor</translation>
+    </message>
+    <message>
+        <source>asks for a speed of %1 mm/s; speed_limit_mm_s allows %2.</source>
+        <translation>vraagt een snelheid van %1 mm/s; speed_limit_mm_s staat %2 toe.</translation>
+    </message>
+    <message>
+        <source>must be false where the tool is neither a ball nor a cylinder</source>
+        <translation>moet false zijn waar het gereedschap bol noch cilinder is</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys keyframes and motion.</source>
+        <translation>mag maar een van de sleutels keyframes en motion hebben.</translation>
+    </message>
+    <message>
+        <source>must hold at least one frame.</source>
+        <translation>moet minstens één beeld bevatten.</translation>
+    </message>
+    <message>
+        <source>belongs to velocity_mm_s.</source>
+        <translation>hoort bij velocity_mm_s.</translation>
+    </message>
+    <message>
+        <source>must be true; leave it out to say another motion.</source>
+        <translation>moet true zijn; laat het weg om een andere beweging op te geven.</translation>
+    </message>
+    <message>
+        <source>must hold a step and x, y, z, perhaps with w, x, y, z of a rotation</source>
+        <translation>moet een stap en x, y, z bevatten, eventueel met w, x, y, z van een draaiing</translation>
+    </message>
+    <message>
+        <source>must not be less than in the row before it</source>
+        <translation>mag niet kleiner zijn dan in de rij ervoor</translation>
+    </message>
+    <message>
+        <source>lies further than a kilometer away.</source>
+        <translation>ligt verder dan een kilometer weg.</translation>
+    </message>
+    <message>
+        <source>must end with a quaternion of length 1</source>
+        <translation>moet eindigen met een quaternion van lengte 1</translation>
+    </message>
+    <message>
+        <source>must hold at least one row.</source>
+        <translation>moet minstens één rij bevatten.</translation>
+    </message>
+    <message>
+        <source>the project has no bodies.</source>
+        <translation>het project heeft geen lichamen.</translation>
+    </message>
+    <message>
+        <source>some of its parts could not be filled with objects, which a recipe takes for an error.</source>
+        <translation>sommige onderdelen konden niet met objecten worden gevuld, wat een recept voor een fout houdt.</translation>
+    </message>
+    <message>
+        <source>its bodies differ in their spacing or structural friction.</source>
+        <translation>de lichamen ervan verschillen in afstand of structurele wrijving.</translation>
+    </message>
+    <message>
+        <source>the files of its parts are not there any more; save the project first.</source>
+        <translation>de bestanden van de onderdelen zijn er niet meer; sla eerst het project op.</translation>
+    </message>
+    <message>
+        <source>The files that the parts were read from are not there any more: the recipe takes the parts from the project.</source>
+        <translation>De bestanden waaruit de onderdelen zijn gelezen, zijn er niet meer: het recept neemt de onderdelen uit het project.</translation>
+    </message>
+    <message>
+        <source>The recipe begins where the part was filled last; what was done before left nothing behind but tools, materials and fixtures.</source>
+        <translation>Het recept begint waar het onderdeel het laatst is gevuld; wat daarvoor is gedaan, liet alleen gereedschappen, materialen en inklemmingen achter.</translation>
+    </message>
+    <message>
+        <source>The project has nothing in it yet that a recipe could say.</source>
+        <translation>Er is nog niets in het project wat een recept zou kunnen zeggen.</translation>
+    </message>
+    <message>
+        <source>A recipe cannot say what was done here: %1</source>
+        <translation>Een recept kan niet zeggen wat hier is gedaan: %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which has nothing in it to set.</source>
+        <translation>%1 is %2, waarin niets te zetten is.</translation>
+    </message>
+    <message>
+        <source>%1 has no item &quot;%2&quot;; allowed here: %3.</source>
+        <translation>%1 heeft geen item &quot;%2&quot;; hier toegestaan: %3.</translation>
+    </message>
+    <message>
+        <source>a whole list, since this one is empty</source>
+        <translation>een hele lijst, omdat deze leeg is</translation>
+    </message>
+    <message>
+        <source>the number 0</source>
+        <translation>het nummer 0</translation>
+    </message>
+    <message>
+        <source>the numbers 0 to %1</source>
+        <translation>de nummers 0 tot en met %1</translation>
+    </message>
+    <message>
+        <source>%1 and the names %2</source>
+        <translation>%1 en de namen %2</translation>
+    </message>
+    <message>
+        <source>the path has an empty step; between two dots there must be a key, a name or a number.</source>
+        <translation>het pad heeft een lege stap; tussen twee punten moet een sleutel, een naam of een nummer staan.</translation>
+    </message>
+    <message>
+        <source>the path ends with a dot; name what is to be set after it.</source>
+        <translation>het pad eindigt met een punt; noem daarna wat moet worden gezet.</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be set: %3</source>
+        <translation>%1: %2 kan niet worden gezet: %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; sets nothing; write PATH=VALUE, for example spacing_mm=3.</source>
+        <translation>&quot;%1&quot; zet niets; schrijf PAD=WAARDE, bijvoorbeeld spacing_mm=3.</translation>
+    </message>
+    <message>
+        <source>must have either file or files.</source>
+        <translation>moet file of files hebben.</translation>
+    </message>
+    <message>
+        <source>must hold at least one file.</source>
+        <translation>moet minstens één bestand bevatten.</translation>
+    </message>
+    <message>
+        <source>a fixture holds no object of its body.</source>
+        <translation>een inklemming houdt geen object van haar lichaam vast.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.</source>
+        <translation>moet precies een van de sleutels spacing_mm, cells_across, cells_across_wall en objects hebben.</translation>
+    </message>
+    <message>
+        <source>belongs to events: at the start nothing has been filled anew.</source>
+        <translation>hoort bij gebeurtenissen: aan het begin is er niets opnieuw gevuld.</translation>
+    </message>
+    <message>
+        <source>is written twice: &quot;%1&quot;.</source>
+        <translation>wordt twee keer geschreven: &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>is &quot;published&quot;, which needs spacing_mm.</source>
+        <translation>is &quot;published&quot;, wat spacing_mm nodig heeft.</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is not in the recipe.</source>
+        <translation>noemt &quot;%1&quot;, dat niet in het recept staat.</translation>
+    </message>
+    <message>
+        <source>must not be earlier than that of the event before it</source>
+        <translation>mag niet eerder zijn dan bij de gebeurtenis ervoor</translation>
+    </message>
+    <message>
+        <source>must not be less than that of the event before it</source>
+        <translation>mag niet kleiner zijn dan bij de gebeurtenis ervoor</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys duration_s and duration_steps.</source>
+        <translation>mag maar een van de sleutels duration_s en duration_steps hebben.</translation>
+    </message>
+    <message>
+        <source>must be at most 3600 s</source>
+        <translation>mag ten hoogste 3600 s zijn</translation>
+    </message>
+    <message>
+        <source>belongs to a dynamic analysis only.</source>
+        <translation>hoort alleen bij een dynamische analyse.</translation>
+    </message>
+    <message>
+        <source>belongs to a static analysis only.</source>
+        <translation>hoort alleen bij een statische analyse.</translation>
+    </message>
+    <message>
+        <source>names the unknown material &quot;%1&quot;; known are: %2.</source>
+        <translation>noemt het onbekende materiaal &quot;%1&quot;; bekend zijn: %2.</translation>
+    </message>
+    <message>
+        <source>must hold at least one face.</source>
+        <translation>moet minstens één vlak bevatten.</translation>
+    </message>
+    <message>
+        <source>must be the name of a material or an object in { }</source>
+        <translation>moet de naam van een materiaal of een object in { } zijn</translation>
+    </message>
+    <message>
+        <source>must have both of the keys objects and objects_in_body, or none.</source>
+        <translation>moet beide sleutels objects en objects_in_body hebben, of geen.</translation>
+    </message>
+    <message>
+        <source>belongs to objects.</source>
+        <translation>hoort bij objects.</translation>
+    </message>
+    <message>
+        <source>must go on upwards, below objects_in_body</source>
+        <translation>moet verder oplopen, onder objects_in_body</translation>
+    </message>
+    <message>
+        <source>must hold at least one object.</source>
+        <translation>moet minstens één object bevatten.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys faces, box_mm and objects.</source>
+        <translation>moet precies een van de sleutels faces, box_mm en objects hebben.</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.</source>
+        <translation>mag maar een van de sleutels angular_velocity_deg_s en angular_velocity_rad_s hebben.</translation>
+    </message>
+    <message>
+        <source>must hold 3 numbers no larger than %1</source>
+        <translation>moet 3 getallen niet groter dan %1 bevatten</translation>
+    </message>
+    <message>
+        <source>must hold the lowest x, y, z and then the highest x, y, z</source>
+        <translation>moet de laagste x, y, z en dan de hoogste x, y, z bevatten</translation>
+    </message>
+    <message>
+        <source>must hold w, x, y, z of a quaternion of length 1</source>
+        <translation>moet w, x, y, z van een quaternion van lengte 1 bevatten</translation>
+    </message>
+    <message>
+        <source>must have only one of the keys rotation_deg and rotation_wxyz.</source>
+        <translation>mag maar een van de sleutels rotation_deg en rotation_wxyz hebben.</translation>
+    </message>
+    <message>
+        <source>must hold %1 positive numbers</source>
+        <translation>moet %1 positieve getallen bevatten</translation>
+    </message>
+    <message>
+        <source>names a file that does not exist: %1. The path is taken from the folder of the recipe.</source>
+        <translation>noemt een bestand dat niet bestaat: %1. Het pad geldt vanaf de map van het recept.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot; is an imported part, which only a saved project keeps.</source>
+        <translation>het gereedschap &quot;%1&quot; is een geïmporteerd onderdeel, dat alleen een opgeslagen project bewaart.</translation>
+    </message>
+    <message>
+        <source>The output folder %1 cannot be made; choose another one with --out.</source>
+        <translation>De uitvoermap %1 kan niet worden gemaakt; kies een andere met --out.</translation>
     </message>
 </context>
 <context>
@@ -4756,10 +6139,319 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Repair</name>
+    <message>
+        <source>The exact shapes of the parts cannot be understood; import the file again.</source>
+        <translation>De exacte vormen van de onderdelen zijn niet te begrijpen; importeer het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 los vlak is met een tolerantie van %1 genaaid.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 los vlak is met een tolerantie van %1 genaaid; de breedste spleet tussen twee ervan is %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid; de breedste spleet tussen twee ervan is %3.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 vlakke opening is met een plat vlak gesloten, %1 % van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 vlakke openingen zijn met platte vlakken gesloten, %2 % van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Randen die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 vlak dat de controles van de geometrie niet doorstond is opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 vlakken die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 schaal was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 schalen waren binnenstebuiten en zijn gekeerd.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden, met 1 holte erin.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden, met %1 holten erin.</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 driehoek was er dubbel en is verwijderd.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 driehoeken waren er dubbel en zijn verwijderd.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>Het oppervlak was met beide zijden gegeven; een ervan is verwijderd.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 paar driehoeken rug aan rug is verwijderd.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 paren driehoeken rug aan rug zijn verwijderd.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 driehoek lag verkeerd om en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 driehoeken lagen verkeerd om en zijn gekeerd.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 klein gat is gesloten, wat %1 aan het oppervlak toevoegde.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 kleine gaten zijn gesloten, wat %2 aan het oppervlak toevoegde.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>Het oppervlak was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 open rand</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 open randen</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 omtrek</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 omtrekken</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed en vlak</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed</translation>
+    </message>
+</context>
+<context>
+    <name>Run</name>
+    <message>
+        <source>The equations of %1 of %2 steps could not be solved: forces and places are not to be trusted there. Make tools slower, or choose a shorter time step.</source>
+        <translation>De vergelijkingen van %1 van de %2 stappen waren niet op te lossen: krachten en posities zijn daar niet te vertrouwen. Maak gereedschappen langzamer, of kies een kortere tijdstap.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>De energie klopt niet: %1 % van alles wat rondging. Kies een kortere tijdstap, of maak gereedschap langzamer.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Gereedschap of de vloer drong %1 afstanden in materiaal: vormen en krachten zijn daar ruw. Druk minder ver, of kies een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>Massaschaling maakte %1 % van de massa: wat slingert en wat geworpen wordt is langzamer dan het zou zijn. Kies er een kortere tijdstap voor.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; is in %2 stukken gebroken, en een star lichaam zou ze vastlassen waar ze zijn. Houd het vervormbaar, of zet terug voordat het star wordt.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>De simulatie is bij %1 s gestopt: %2 Ze ging terug naar %3 s.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>het lichaam</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>materiaal van %1 is platgedrukt of binnenstebuiten gekeerd. Minder ver drukken, de dwarscontractiecoëfficiënt of de vloeigrens verhogen, of het onderdeel met een kleinere afstand vullen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>een positie is geen getal meer. %1 of het materiaal zachter maken, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>de gekozen tijdstap van %1 s is langer dan de stabiele van %2 s. Kies een kortere, of een zachter of sterker gedempt materiaal.</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Impliciete Euler</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Voorwaartse Euler</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-impliciete Euler</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1: gekozen; expliciete integratie vraagt %2 stappen per seconde, wat realtime bijhoudt.</translation>
+    </message>
+    <message>
+        <source>%1: chosen; explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1: gekozen; expliciete integratie vraagt %2 stappen per seconde, meer dan realtime toelaat.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, which keeps up with real time.</source>
+        <translation>%1: expliciete integratie vraagt %2 stappen per seconde, wat realtime bijhoudt.</translation>
+    </message>
+    <message>
+        <source>%1: explicit integration needs %2 steps per second, more than real time allows.</source>
+        <translation>%1: expliciete integratie vraagt %2 stappen per seconde, meer dan realtime toelaat.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>De vergelijkingen van de stap bij %1 s waren niet op te lossen: krachten en posities zijn vanaf daar ruw. Maak gereedschappen langzamer, of kies een kortere tijdstap.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>er is niet genoeg geheugen om door te gaan. Sluit andere programma&apos;s of vul het onderdeel met een grotere afstand, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Zet terug, of ga naar een eerder moment.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>De simulatie is gestopt: %1</translation>
+    </message>
+    <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>objecten van %1 bewogen met %2 m/s, en niets in de scène maakt ze sneller dan %3 m/s. %4 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J kwamen uit het niets, van %2 J in de scène: de stappen volgen het materiaal niet meer. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>de vergelijkingen van %1 stappen achter elkaar waren niet op te lossen, hoewel de laatste maar %2 s duurde. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>Het gereedschap &quot;%1&quot; zit %2 mm diep in %3: het erbuiten laten beginnen, minder ver drukken, het langzamer maken</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Een kortere tijdstap voor de massaschaling kiezen, die %1 % aan de massa toevoegde</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>De gereedschappen langzamer maken</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>De zwaartekracht verlagen</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Lichamen en inklemmingen langzamer bewegen</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>Het gereedschap &quot;%1&quot; begint %2 mm binnen in %3, dat met grote kracht en in zeer korte stappen wordt weggeduwd. Laat het erbuiten beginnen.</translation>
+    </message>
+</context>
+<context>
     <name>RunRemarks</name>
     <message>
         <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
         <translation>De tijd gaat nauwelijks vooruit: %1 werd in %2 gesimuleerd, in stappen van %3. Een grotere afstand, een zachter materiaal, langzamer gereedschap of gereedschap dat buiten het materiaal begint maken het sneller.</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>Gravity must not be stronger than 10000 m/s^2.</source>
+        <translation>De zwaartekracht mag niet sterker dan 10000 m/s^2 zijn.</translation>
+    </message>
+    <message>
+        <source>The height of the floor must lie between -10 and 10 km.</source>
+        <translation>De hoogte van de vloer moet tussen -10 en 10 km liggen.</translation>
+    </message>
+    <message>
+        <source>The friction of the floor must lie between 0 and 2.</source>
+        <translation>De wrijving van de vloer moet tussen 0 en 2 liggen.</translation>
+    </message>
+    <message>
+        <source>The adhesion of the floor must lie between 0 and 1e9 Pa.</source>
+        <translation>De hechting van de vloer moet tussen 0 en 1e9 Pa liggen.</translation>
+    </message>
+    <message>
+        <source>There is no body number %1.</source>
+        <translation>Er is geen lichaam nummer %1.</translation>
+    </message>
+    <message>
+        <source>It holds no objects. Fill it with a smaller spacing.</source>
+        <translation>Het bevat geen objecten. Vul het met een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot;: %2</source>
+        <translation>Gebied &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>Region &quot;%1&quot; names an object that does not exist.</source>
+        <translation>Het gebied &quot;%1&quot; noemt een object dat niet bestaat.</translation>
+    </message>
+    <message>
+        <source>It must not start faster than 1000 m/s or 100000 rad/s.</source>
+        <translation>Het mag niet sneller dan 1000 m/s of 100000 rad/s beginnen.</translation>
+    </message>
+    <message>
+        <source>Its structural friction must lie between 0 and 2.</source>
+        <translation>De inwendige wrijving moet tussen 0 en 2 liggen.</translation>
+    </message>
+    <message>
+        <source>Body &quot;%1&quot;: %2</source>
+        <translation>Lichaam &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>The time step must lie between 1e-9 and 1 s.</source>
+        <translation>De tijdstap moet tussen 1e-9 en 1 s liggen.</translation>
+    </message>
+    <message>
+        <source>The time step of mass scaling must lie between 1e-9 and 1 s.</source>
+        <translation>De tijdstap van de massaschaling moet tussen 1e-9 en 1 s liggen.</translation>
+    </message>
+    <message>
+        <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
+        <translation>Voorwaartse Euler is zonder demping niet stabiel: verhoog de dempingsgraad, of neem semi-impliciete Euler.</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +7126,81 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Step</name>
+    <message>
+        <source>the STEP file ends inside a text; it is cut off, get it again.</source>
+        <translation>het STEP-bestand eindigt midden in een tekst; het is afgekapt, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again.</source>
+        <translation>het STEP-bestand eindigt vóór zijn laatste regel (END-ISO-10303-21); het is afgekapt, haal het opnieuw op.</translation>
+    </message>
+    <message>
+        <source>the STEP file has no DATA section, so it holds no shapes.</source>
+        <translation>het STEP-bestand heeft geen DATA-sectie, dus bevat het geen vormen.</translation>
+    </message>
+    <message>
+        <source>a name in the STEP file is longer than 65 thousand letters; the file is damaged.</source>
+        <translation>een naam in het STEP-bestand is langer dan 65 duizend letters; het bestand is beschadigd.</translation>
+    </message>
+    <message>
+        <source>lists in the STEP file are nested more than 500 deep; the file is damaged.</source>
+        <translation>lijsten in het STEP-bestand zijn meer dan 500 diep genest; het bestand is beschadigd.</translation>
+    </message>
+    <message>
+        <source>the STEP file has &quot;%1&quot; in place of a number; export it again.</source>
+        <translation>in het STEP-bestand staat &quot;%1&quot; in plaats van een getal; exporteer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1: een gedraaid vlak is over zijn naad heen begrensd, en het bestand zegt niet aan welke kant van zijn rand het ligt; controleer het volume van zijn onderdeel.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 vorm van het STEP-bestand kon niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 vormen van het STEP-bestand konden niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; export the file again.</source>
+        <translation>het element %1 verwijst naar iets verkeerds of naar niets; exporteer het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %2).</source>
+        <translation>het element %1 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vlakken: %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %2).</source>
+        <translation>het element %1 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vormen: %2).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %3).</source>
+        <translation>het element %1 en %2 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vlakken: %3).</translation>
+    </message>
+    <message>
+        <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %3).</source>
+        <translation>het element %1 en %2 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vormen: %3).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>de samenstelling verwijst naar het bestand %1, dat er niet is: de onderdelen ervan ontbreken. Zet het naast de samenstelling en open die opnieuw.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>de samenstelling verwijst naar %1 bestanden die er niet zijn: %2. Hun onderdelen ontbreken; zet ze naast de samenstelling en open die opnieuw.</translation>
+    </message>
+    <message>
+        <source>the file holds triangles only (tessellated geometry of AP242), which are not read from STEP; export exact solids, or a mesh as 3MF or STL.</source>
+        <translation>het bestand bevat alleen driehoeken (betegelde geometrie van AP242), die niet uit STEP worden gelezen; exporteer exacte lichamen, of een net als 3MF of STL.</translation>
+    </message>
+    <message>
+        <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
+        <translation>het bestand bevat alleen krommen en punten, geen lichaam en geen oppervlak; exporteer het onderdeel als lichaam.</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5565,6 +7332,73 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Speed of the film</source>
         <translation>Snelheid van de film</translation>
+    </message>
+</context>
+<context>
+    <name>Tool</name>
+    <message>
+        <source>Tool &quot;%1&quot;: %2</source>
+        <translation>Gereedschap &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>each edge must be between 0.001 mm and 1000 m long.</source>
+        <translation>elke rand moet tussen 0.001 mm en 1000 m lang zijn.</translation>
+    </message>
+    <message>
+        <source>it is to be a part, but has none.</source>
+        <translation>het moet een onderdeel zijn, maar heeft er geen.</translation>
+    </message>
+    <message>
+        <source>its measures do not fit together: a ball has one, a cylinder a diameter and a length.</source>
+        <translation>de maten passen niet bij elkaar: een bol heeft er één, een cilinder een diameter en een lengte.</translation>
+    </message>
+    <message>
+        <source>its place must be numbers, within 10 km.</source>
+        <translation>de plaats moet uit getallen bestaan, binnen 10 km.</translation>
+    </message>
+    <message>
+        <source>friction must lie between 0 and 2.</source>
+        <translation>de wrijving moet tussen 0 en 2 liggen.</translation>
+    </message>
+    <message>
+        <source>the speed limit must lie between 0.001 mm/s and 100 m/s.</source>
+        <translation>de snelheidsgrens moet tussen 0.001 mm/s en 100 m/s liggen.</translation>
+    </message>
+    <message>
+        <source>the adhesion must lie between 0 and 1e9 Pa.</source>
+        <translation>de hechting moet tussen 0 en 1e9 Pa liggen.</translation>
+    </message>
+    <message>
+        <source>the force limit must be greater than 0 N.</source>
+        <translation>de krachtgrens moet groter dan 0 N zijn.</translation>
+    </message>
+    <message>
+        <source>a key-framed motion needs at least one frame.</source>
+        <translation>een beweging met sleutelbeelden vraagt minstens één beeld.</translation>
+    </message>
+    <message>
+        <source>the times of key frames must ascend.</source>
+        <translation>de tijden van sleutelbeelden moeten oplopen.</translation>
+    </message>
+    <message>
+        <source>key frames must be numbers, within 10 km.</source>
+        <translation>sleutelbeelden moeten uit getallen bestaan, binnen 10 km.</translation>
+    </message>
+    <message>
+        <source>it must not go faster than 10000 m/s or 100000 rad/s.</source>
+        <translation>het mag niet sneller dan 10000 m/s of 100000 rad/s gaan.</translation>
+    </message>
+    <message>
+        <source>its target must be numbers, within 10 km.</source>
+        <translation>het doel moet uit getallen bestaan, binnen 10 km.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s part has no surface. Choose another file.</source>
+        <translation>Het onderdeel van het gereedschap heeft geen oppervlak. Kies een ander bestand.</translation>
+    </message>
+    <message>
+        <source>There is no tool number %1.</source>
+        <translation>Er is geen gereedschap nummer %1.</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +7576,81 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Unit</name>
+    <message>
+        <source>Open that file alone to correct it.</source>
+        <translation>Open dat bestand alleen om het te corrigeren.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimeters</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>meters</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>inch</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimeters</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>voeten</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micrometers</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>decimeters</translation>
+    </message>
+    <message>
+        <source>thousandths of an inch</source>
+        <translation>duizendsten van een inch</translation>
+    </message>
+    <message>
+        <source>nanometres</source>
+        <translation>nanometers</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilometers</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>mijlen</translation>
+    </message>
+    <message>
+        <source>millionths of an inch</source>
+        <translation>miljoensten van een inch</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1: het bestand noemt geen lengte-eenheid; millimeters zijn genomen.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; that was asked for is not known; known are %2.</source>
+        <translation>de gevraagde lengte-eenheid &quot;%1&quot; is niet bekend; bekend zijn %2.</translation>
+    </message>
+    <message>
+        <source>the length unit &quot;%1&quot; of the file is not known; known are %2.</source>
+        <translation>de lengte-eenheid &quot;%1&quot; van het bestand is niet bekend; bekend zijn %2.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1: het onderdeel is %2 lang; als zijn lengten %3 zijn, is het %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1: de onderdelen zijn samen %2 lang; als hun lengten %3 zijn, zijn ze %4.</translation>
+    </message>
+</context>
+<context>
     <name>ViewCube</name>
     <message>
         <source>FRONT</source>
@@ -5871,6 +7780,81 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Measure the part</source>
         <translation>Het onderdeel meten</translation>
+    </message>
+</context>
+<context>
+    <name>Work</name>
+    <message>
+        <source>A pipe to another process cannot be made (%1).</source>
+        <translation>Een pijp naar een ander proces kan niet worden gemaakt (%1).</translation>
+    </message>
+    <message>
+        <source>The process of %1 cannot be started (%2).</source>
+        <translation>Het proces van %1 kan niet worden gestart (%2).</translation>
+    </message>
+    <message>
+        <source>What was read cannot be fetched (%1).</source>
+        <translation>Wat is gelezen, kan niet worden opgehaald (%1).</translation>
+    </message>
+    <message>
+        <source>memory access</source>
+        <translation>geheugentoegang</translation>
+    </message>
+    <message>
+        <source>arithmetic</source>
+        <translation>rekenfout</translation>
+    </message>
+    <message>
+        <source>internal error</source>
+        <translation>interne fout</translation>
+    </message>
+    <message>
+        <source>illegal instruction</source>
+        <translation>ongeldige instructie</translation>
+    </message>
+    <message>
+        <source>ended from outside, perhaps because the machine ran out of memory</source>
+        <translation>van buitenaf beëindigd, misschien omdat de machine geen geheugen meer had</translation>
+    </message>
+    <message>
+        <source>signal %1</source>
+        <translation>signaal %1</translation>
+    </message>
+    <message>
+        <source>the writer</source>
+        <translation>het schrijfprogramma</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>het schrijven</translation>
+    </message>
+    <message>
+        <source>the reader</source>
+        <translation>het leesprogramma</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>het lezen</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 minuten</translation>
+    </message>
+    <message>
+        <source> while %1</source>
+        <translation> (tijdens &quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>%1 took longer than %2%3 and was ended. %4</source>
+        <translation>%1 duurde langer dan %2%3 en is beëindigd. %4</translation>
+    </message>
+    <message>
+        <source>%1 crashed%2 (%3). %4</source>
+        <translation>%1 liep vast%2 (%3). %4</translation>
+    </message>
+    <message>
+        <source>%1 ended without a result%2. %3</source>
+        <translation>%1 eindigde zonder resultaat%2. %3</translation>
     </message>
 </context>
 <context>
