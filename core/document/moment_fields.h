@@ -99,7 +99,7 @@ void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& 
     bytes(tool.speedLimit);
     bytes(tool.forceLimit);
     motion(bytes, tool.motion);
-    bytes(tool.kind, ToolKind::part);
+    bytes(tool.kind, lastToolKind);
     toolPart(bytes, tool.part, parts);
     if (version >= 8)
         bytes(tool.adhesion);

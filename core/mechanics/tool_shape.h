@@ -5,6 +5,7 @@
 #include "core/geometry/vec3.h"
 
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -23,6 +24,8 @@ enum class ToolKind : std::uint8_t {
 
 inline constexpr ToolKind toolKinds[] = {ToolKind::box,   ToolKind::ball,  ToolKind::cylinder,
                                          ToolKind::wedge, ToolKind::plate, ToolKind::part};
+
+inline constexpr ToolKind lastToolKind = toolKinds[std::size(toolKinds) - 1]; // by its number
 
 std::string_view nameOf(ToolKind kind); ///< "box", "ball" ... as in recipes
 

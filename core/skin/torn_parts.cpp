@@ -3,6 +3,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
 #include "core/message/message.h"
+#include "core/message/number_text.h"
 #include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/fragments.h"
@@ -11,7 +12,6 @@
 #include "core/skin/skin_map.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
@@ -36,14 +36,10 @@ Message crackRemark(const PartToExport& part)
                     (lattice.position(connection.lower) + part.displacements[connection.lower] + 0.5 * (rest + opened));
         }
     }
-    const auto digits = [](double number) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.3g", number);
-        return std::string(text);
-    };
     const std::size_t count = part.broken->size();
-    const std::string stretch = digits(most);
-    const std::string place = "(" + digits(where.x()) + ", " + digits(where.y()) + ", " + digits(where.z()) + ") mm";
+    const std::string stretch = inDigits(most, 3);
+    const Message place = Message::verbatim("(%1, %2, %3) mm")
+                              .with(inDigits(where.x(), 3), inDigits(where.y(), 3), inDigits(where.z(), 3));
     return count == 1
                ? Message("Export", "\"%1\" is cracked but in one piece: 1 of its connections is broken, and its skin "
                                    "spans the crack, stretched to %2 times its length there near %3.")

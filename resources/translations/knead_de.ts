@@ -478,6 +478,10 @@
         <source>At the page of what one does</source>
         <translation>Auf der Seite zu dem, was man tut</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
 </context>
 <context>
     <name>Balance</name>
@@ -5302,30 +5306,6 @@ Simuliert: %2, Schritt %3
 </context>
 <context>
     <name>QObject</name>
-    <message>
-        <source>Block</source>
-        <translation>Block</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Wedge</source>
-        <translation>Keil</translation>
-    </message>
-    <message>
-        <source>Plate</source>
-        <translation>Platte</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Teil</translation>
-    </message>
     <message>
         <source>%1x real time</source>
         <translation>%1x Echtzeit</translation>

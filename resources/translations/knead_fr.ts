@@ -478,6 +478,10 @@
         <source>At the page of what one does</source>
         <translation>À la page de ce que l’on fait</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
 </context>
 <context>
     <name>Balance</name>
@@ -5302,30 +5306,6 @@ Simulé&#xa0;: %2, pas %3
 </context>
 <context>
     <name>QObject</name>
-    <message>
-        <source>Block</source>
-        <translation>Bloc</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Boule</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Cylindre</translation>
-    </message>
-    <message>
-        <source>Wedge</source>
-        <translation>Coin</translation>
-    </message>
-    <message>
-        <source>Plate</source>
-        <translation>Plaque</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Pièce</translation>
-    </message>
     <message>
         <source>%1x real time</source>
         <translation>%1x le temps réel</translation>

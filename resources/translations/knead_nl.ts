@@ -478,6 +478,10 @@
         <source>At the page of what one does</source>
         <translation>Op de pagina van wat men doet</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>Onderdeel</translation>
+    </message>
 </context>
 <context>
     <name>Balance</name>
@@ -5302,30 +5306,6 @@ Gesimuleerd: %2, stap %3
 </context>
 <context>
     <name>QObject</name>
-    <message>
-        <source>Block</source>
-        <translation>Blok</translation>
-    </message>
-    <message>
-        <source>Ball</source>
-        <translation>Bol</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Cilinder</translation>
-    </message>
-    <message>
-        <source>Wedge</source>
-        <translation>Wig</translation>
-    </message>
-    <message>
-        <source>Plate</source>
-        <translation>Plaat</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Onderdeel</translation>
-    </message>
     <message>
         <source>%1x real time</source>
         <translation>%1x ware tijd</translation>

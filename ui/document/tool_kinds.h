@@ -10,14 +10,14 @@ namespace knead {
 
 /// A measure that a person sees: which edge of the tool's box it is.
 struct ToolMeasure {
-    const char* name; ///< "Diameter"
+    const char* name; ///< "Diameter", for ToolPanel to translate
     int axis;         ///< of Manipulator::size
 };
 
 /// A form of tools as the window offers it.
 struct ToolKindLook {
     ToolKind kind;
-    const char* name; ///< "Ball"
+    const char* name; ///< "Ball", for Actions to translate
     const char* icon;
     std::vector<ToolMeasure> measures; ///< those it has
     Vec3 proportions;                  ///< of a new one, in blocks

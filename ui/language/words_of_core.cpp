@@ -69,22 +69,6 @@ namespace {
                                                          QT_TRANSLATE_NOOP("MaterialName", "PETG"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "Nylon PA12")};
 
-[[maybe_unused]] const char* const formsOfTools[] = {
-    QT_TRANSLATE_NOOP("Actions", "Block"),    QT_TRANSLATE_NOOP("Actions", "Ball"),
-    QT_TRANSLATE_NOOP("Actions", "Cylinder"), QT_TRANSLATE_NOOP("Actions", "Wedge"),
-    QT_TRANSLATE_NOOP("Actions", "Roller"),   QT_TRANSLATE_NOOP("Actions", "Knife"),
-    QT_TRANSLATE_NOOP("Actions", "Wire"),     QT_TRANSLATE_NOOP("Actions", "Plate"),
-    QT_TRANSLATE_NOOP("QObject", "Block"),    QT_TRANSLATE_NOOP("QObject", "Ball"),
-    QT_TRANSLATE_NOOP("QObject", "Cylinder"), QT_TRANSLATE_NOOP("QObject", "Wedge"),
-    QT_TRANSLATE_NOOP("QObject", "Plate"),    QT_TRANSLATE_NOOP("QObject", "Part")};
-
-[[maybe_unused]] const char* const measuresOfTools[] = {
-    QT_TRANSLATE_NOOP("ToolPanel", "Size X"),   QT_TRANSLATE_NOOP("ToolPanel", "Size Y"),
-    QT_TRANSLATE_NOOP("ToolPanel", "Size Z"),   QT_TRANSLATE_NOOP("ToolPanel", "Diameter"),
-    QT_TRANSLATE_NOOP("ToolPanel", "Length"),   QT_TRANSLATE_NOOP("ToolPanel", "Edge"),
-    QT_TRANSLATE_NOOP("ToolPanel", "Back"),     QT_TRANSLATE_NOOP("ToolPanel", "Height"),
-    QT_TRANSLATE_NOOP("ToolPanel", "Thickness")};
-
 [[maybe_unused]] const char* const unitsOfFiles[] = {QT_TRANSLATE_NOOP("ImportDialog", "As the file says"),
                                                      QT_TRANSLATE_NOOP("ImportPanel", "As the file says")};
 

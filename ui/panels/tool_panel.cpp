@@ -4,6 +4,7 @@
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
+#include <QCoreApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -29,7 +30,7 @@ QComboBox* makeKindChoice(QWidget* parent)
 {
     QComboBox* choice = makeChoice("toolKind", parent);
     for (const ToolKindLook& look : toolKindLooks())
-        choice->addItem(icon(look.icon), QObject::tr(look.name));
+        choice->addItem(icon(look.icon), QCoreApplication::translate("Actions", look.name));
     return choice;
 }
 

@@ -6,15 +6,20 @@
 #include <QTimer>
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <thread>
 
 namespace knead {
 
-/// Shared by the window and the thread of the task: whoever lets go last deletes it, so that an abandoned task may end
-/// in peace.
+/// A task and its thread, which ends before the task does.
 struct TaskRunner::Task final : TaskControl {
+    ~Task() override
+    {
+        stopping = true;
+        if (thread.joinable())
+            thread.join();
+    }
+
     QString title;
     std::function<void(TaskControl&)> work;
     std::function<void()> finish;
@@ -26,6 +31,7 @@ struct TaskRunner::Task final : TaskControl {
     std::string stage;
     bool wasCancelled = false;
     Message failure;
+    std::thread thread;
 
     void report(double newFraction, std::string_view newStage) override
     {
@@ -65,7 +71,6 @@ struct TaskRunner::Task final : TaskControl {
 namespace {
 
 constexpr int pollInterval = 30; // [ms]
-constexpr auto patience = std::chrono::seconds(2);
 
 } // namespace
 
@@ -80,13 +85,9 @@ TaskRunner::TaskRunner(QObject* parent)
 TaskRunner::~TaskRunner()
 {
     if (m_task)
-        m_abandoned.push_back(m_task);
-    const auto deadline = std::chrono::steady_clock::now() + patience;
-    for (const auto& task : m_abandoned) {
+        m_abandoned.push_back(std::move(m_task));
+    for (const auto& task : m_abandoned) // all at once, before the first is waited for
         task->stopping = true;
-        while (!task->done && std::chrono::steady_clock::now() < deadline)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
 }
 
 QString TaskRunner::title() const
@@ -102,7 +103,7 @@ bool TaskRunner::start(const QString& title, std::function<void(TaskControl&)> w
     m_task->title = title;
     m_task->work = std::move(work);
     m_task->finish = std::move(finish);
-    std::thread([task = m_task] { task->run(); }).detach();
+    m_task->thread = std::thread([task = m_task.get()] { task->run(); });
     m_timer->start();
     emit started(title);
     return true;

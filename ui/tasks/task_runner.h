@@ -21,7 +21,7 @@ class TaskRunner final : public QObject {
     Q_OBJECT
 public:
     explicit TaskRunner(QObject* parent = nullptr);
-    /// Cancels, and waits a moment for threads to notice.
+    /// Cancels, and waits until the threads have noticed: none outlives what it uses.
     ~TaskRunner() override;
 
     bool isRunning() const { return m_task != nullptr; }
