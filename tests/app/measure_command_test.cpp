@@ -102,12 +102,12 @@ private slots:
     /// Two boxes, the one higher by 1 mm.
     void filesAreComparedWithEachOther()
     {
-        const auto write = [&](const char* name, double height) {
+        const auto box = [&](const char* name, double height) {
             std::ofstream file(m_shop.path(name));
             file << "solid box\n" << boxFacets({0, 0, 0}, {20, 10, height}) << "endsolid\n";
         };
-        write("before.stl", 5);
-        write("after.stl", 6);
+        box("before.stl", 5);
+        box("after.stl", 6);
         const Outcome outcome =
             workshop::knead({"compare", m_shop.qPath("before.stl"), m_shop.qPath("after.stl"), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
@@ -123,13 +123,13 @@ private slots:
 
     void probesOfARecipeAreRead()
     {
-        std::ofstream(m_shop.path("probed.recipe.json")) << R"({"version": 1, "part": {"file": ")" << bar << R"("},
-            "objects": 400, "material": {"preset": "silicone-rubber"},
+        write("probed.recipe.json",
+              R"({"version": 1, "part": {"file": "BAR"}, "objects": 400, "material": {"preset": "silicone-rubber"},
             "fixtures": [{"name": "end", "box_mm": [-1, -1, -1, 10, 21, 21]}],
             "manipulators": [{"name": "block", "size_mm": [20, 24, 5], "position_mm": [90, 10, 23],
                 "keyframes": [{"time_s": 0.2, "position_mm": [90, 10, 17]}]}],
             "probes": [{"name": "tip", "place_mm": [100, 10, 0]}, {"name": "root", "place_mm": [0, 10, 0]}],
-            "duration_s": 0.2})";
+            "duration_s": 0.2})");
         const Outcome outcome = workshop::knead({"run", m_shop.qPath("probed.recipe.json"), "--json", "--out",
                                                  m_shop.qPath("out"), "--probes", m_shop.qPath("probes.csv")});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
@@ -151,8 +151,8 @@ private slots:
 
     void aProbeOfNothingIsRefused()
     {
-        std::ofstream(m_shop.path("lost.recipe.json")) << R"({"version": 1, "part": {"file": ")" << bar << R"("},
-            "objects": 300, "probes": [{"name": "tip", "body": "lid", "place_mm": [0, 0, 0]}], "duration_s": 0.01})";
+        write("lost.recipe.json", R"({"version": 1, "part": {"file": "BAR"}, "objects": 300,
+            "probes": [{"name": "tip", "body": "lid", "place_mm": [0, 0, 0]}], "duration_s": 0.01})");
         const Outcome outcome =
             workshop::knead({"run", m_shop.qPath("lost.recipe.json"), "--out", m_shop.qPath("out")});
         QCOMPARE(outcome.status, 2);
@@ -161,6 +161,13 @@ private slots:
     }
 
 private:
+    void write(const char* name, const char* recipe)
+    {
+        QFile file(m_shop.qPath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(recipe).replace("BAR", bar));
+    }
+
     Workshop m_shop;
 };
 

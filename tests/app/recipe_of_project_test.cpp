@@ -1,4 +1,5 @@
 #include "app/recipe_files.h"
+#include "io/recipe/recipe_reader.h"
 // Sessions as recipes: carried out, they come to the same bits.
 #include "app/cad_process.h"
 #include "app/thread_limit.h"

@@ -1,4 +1,5 @@
 #include "app/recipe_files.h"
+#include "io/recipe/recipe_reader.h"
 // A recipe as the window plays it, without a window: the same as knead run does.
 #include "app/cad_process.h"
 #include "app/gui.h"

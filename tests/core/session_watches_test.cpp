@@ -24,9 +24,9 @@ private slots:
             QVERIFY(watch.see(now).empty());
         now.playing = false;
         now.penetration = 0.2;
-        const std::vector<std::string> said = watch.see(now);
+        const std::vector<Message> said = watch.see(now);
         QCOMPARE(said.size(), std::size_t{1});
-        QVERIFY(said[0].find("0.2 spacings into material") != std::string::npos);
+        QVERIFY(said[0].english().find("0.2 spacings into material") != std::string::npos);
         now.addedMass = now.penetration = 0;
         QVERIFY(watch.see(now).empty());
         now.addedMass = 0.02;

@@ -1,4 +1,5 @@
 #include "core/session/region.h"
+#include "ui/selection/region_words.h"
 
 #include "core/aggregate/fill.h"
 #include "core/session/edge_chains.h"
