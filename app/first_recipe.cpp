@@ -60,8 +60,8 @@ Json words(const Manipulator& block, double size)
 
 std::string firstRecipe(const Model& model, const std::string& part, const Material& material, TaskControl& control)
 {
-    const FirstPress press = firstPress(model, strainAtBreak(material));
     const double spacing = automaticSpacing(fillingSizes(model, partsToFill(model, false), {}, control));
+    const FirstPress press = firstPress(model, spacing, strainAtBreak(material));
     const double size = press.held.diagonal().norm();
     const std::string name = std::filesystem::path(part).stem().string();
     Json recipe{

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/import_options.h"
+#include "core/model/part.h"
 #include "core/session/filled_model.h"
 #include "core/session/frame.h"
 #include "core/task/task_control.h"
@@ -8,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace knead {
 
@@ -16,7 +19,11 @@ struct OpenedShape {
     FilledModel content;                ///< as it is filled there
     FramePointer frame;                 ///< where it is there
     std::optional<std::uint32_t> entry; ///< of a project
+    std::vector<Message> warnings;      ///< what was found when a file was read
 };
+
+/// What a person should know of a file that was read.
+std::vector<Message> remarksOnImport(const Model& model);
 
 /// @param entry of a project; none: its present one
 /// @throws std::runtime_error, in a sentence; Cancelled

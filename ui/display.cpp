@@ -197,7 +197,9 @@ void Display::restore()
     for (std::size_t i = 0; i < surfaceQuantityCount; ++i)
         if (quantity == quantityNames[i])
             options.colors.quantity = static_cast<SurfaceQuantity>(i);
-    options.colors.map = static_cast<ColorMap>(std::clamp(settings.value("display/map", 0).toInt(), 0, 2));
+    for (const ColorMapChoice& choice : colorMapChoices())
+        if (settings.value("display/map", 0).toInt() == static_cast<int>(choice.map))
+            options.colors.map = choice.map;
     options.section.isHatched = settings.value("display/hatched", true).toBool();
     m_view.setOptions(options);
 }

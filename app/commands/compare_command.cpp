@@ -2,15 +2,17 @@
 #include "core/model/file_formats.h"
 
 #include "app/cad_process.h"
+#include "app/commands/carry_out.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "app/opened_shape.h"
-#include "app/terminal_control.h"
+#include "core/message/message.h"
 #include "core/model/file_names.h"
 #include "core/session/comparison.h"
 #include "io/files/safe_file.h"
 #include "io/picture/picture_writer.h"
+#include "io/project/project_file.h"
 #include "ui/measuring/comparison_report.h"
 #include "ui/units.h"
 
@@ -24,7 +26,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -51,6 +52,7 @@ struct CompareOptions {
 struct Compared {
     Comparison comparison;
     std::vector<MeshBody> bodies;
+    std::vector<Message> warnings;
 };
 
 Compared compareProject(const CompareOptions& options, TaskControl& control)
@@ -61,7 +63,7 @@ Compared compareProject(const CompareOptions& options, TaskControl& control)
         throw std::runtime_error(shortName(options.file) +
                                  " is no project. Name a second file that it is compared with, or a project.");
     TaskPortion comparing(control, 0.7, 1);
-    Compared compared{compareWithOriginal(shape.content, *shape.frame, *shape.frame->snapshot, comparing), {}};
+    Compared compared{compareWithOriginal(shape.content, *shape.frame, *shape.frame->snapshot, comparing), {}, {}};
     for (std::size_t b = 0; b < shape.content.bodies.size(); ++b) {
         const FilledBody& body = *shape.content.bodies[b];
         MeshBody& drawn = compared.bodies.emplace_back(MeshBody{body.name, body.color, body.mesh});
@@ -77,7 +79,16 @@ Compared compareFiles(const CompareOptions& options, TaskControl& control)
     TaskPortion second(control, 0.4, 0.8);
     const Model changed = importInChild(options.changed, options.import, second);
     TaskPortion comparing(control, 0.8, 1);
-    Compared compared{compareModels(original, changed, comparing), {}};
+    Compared compared{compareModels(original, changed, comparing), {}, {}};
+    for (const Model* model : {&original, &changed})
+        for (Message& remark : remarksOnImport(*model))
+            compared.warnings.push_back(std::move(remark));
+    for (const std::string& name : compared.comparison.onlyBefore)
+        compared.warnings.push_back(
+            Message("Comparison", "\"%1\" of the original belongs to no closed part of the other file.").with(name));
+    for (const std::string& name : compared.comparison.onlyNow)
+        compared.warnings.push_back(
+            Message("Comparison", "\"%1\" belongs to no closed part of the original.").with(name));
     for (const Part& part : changed.parts)
         compared.bodies.push_back({part.name, part.color.value_or(Color{}), part.mesh});
     return compared;
@@ -101,6 +112,8 @@ void writeReport(const CompareOptions& options, const Compared& compared)
     const QGuiApplication application(count, arguments.data());
     const std::string& shown = options.changed.empty() ? options.file : options.changed;
     const ComparisonReport report{.part = QString::fromStdString(shortName(shown)),
+                                  .original = options.changed.empty() ? QString()
+                                                                      : QString::fromStdString(shortName(options.file)),
                                   .when = QDateTime::currentDateTime(),
                                   .comparison = compared.comparison,
                                   .picture = pictureOf(compared.bodies),
@@ -124,9 +137,15 @@ void print(const Comparison& comparison)
     }
 }
 
-void printJson(const Comparison& comparison)
+void printJson(const Comparison& comparison, const CompareOptions& options)
 {
-    Json json{{"time_s", comparison.time}, {"bodies", Json::array()}};
+    const bool isProject = options.changed.empty();
+    Json json{{"original", isProject ? Json(nullptr) : Json(options.file)},
+              {"changed", isProject ? options.file : options.changed},
+              {"time_s", isProject ? Json(comparison.time) : Json(nullptr)},
+              {"only_in_original", comparison.onlyBefore},
+              {"only_in_changed", comparison.onlyNow},
+              {"bodies", Json::array()}};
     for (const BodyComparison& body : comparison.bodies) {
         const Vec3 far = 1e3 * body.farthest;
         json["bodies"].push_back({{"name", body.name},
@@ -150,24 +169,22 @@ int compare(const CompareOptions& options)
 {
     if (!options.report.empty() && !isReport(options.report))
         return complain(options.report + ": a report ends in .html or .pdf.", exit_status::wrongUse);
-    TerminalControl control;
-    int failure = exit_status::wrongUse;
-    try {
+    if (!options.changed.empty() && (options.entry || isProjectFile(options.file) || isProjectFile(options.changed)))
+        return complain("a project is compared with its own original, and alone has entries; name one project, or two "
+                        "CAD or mesh files.",
+                        exit_status::wrongUse);
+    return carryOut([&](TerminalControl& control, int& failure) {
         const Compared compared =
             options.changed.empty() ? compareProject(options, control) : compareFiles(options, control);
         control.clear();
-        options.json ? printJson(compared.comparison) : print(compared.comparison);
+        for (const Message& warning : compared.warnings)
+            std::cerr << "knead: warning: " << warning.english() << '\n';
+        options.json ? printJson(compared.comparison, options) : print(compared.comparison);
         failure = exit_status::failed;
         if (!options.report.empty())
             writeReport(options, compared);
         return exit_status::done;
-    } catch (const Cancelled&) {
-        control.clear();
-        return complain("interrupted.", exit_status::interrupted);
-    } catch (const std::exception& error) {
-        control.clear();
-        return complain(error.what(), failure);
-    }
+    });
 }
 
 } // namespace

@@ -1,24 +1,23 @@
 #include "app/commands/convert_command.h"
 
 #include "app/cad_process.h"
+#include "app/commands/carry_out.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/export_file.h"
 #include "app/import_arguments.h"
-#include "app/terminal_control.h"
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
+#include "core/session/export_jobs.h"
 #include "io/formats/mesh_writer.h"
 #include "io/picture/picture_writer.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,24 +37,23 @@ struct ConvertOptions {
     bool report = false;
 };
 
-void drawTo(const std::string& path, Model& model)
+void drawTo(const std::string& path, const Model& model)
 {
     std::vector<MeshBody> bodies;
-    for (Part& part : model.parts)
-        bodies.push_back({part.name, part.color.value_or(Color{}), std::move(part.mesh)});
+    for (const Part& part : model.parts)
+        bodies.push_back({part.name, part.color.value_or(Color{}), part.mesh});
     writePicture(path, bodies);
 }
 
-void writeTo(const ConvertOptions& options, Model& model, TaskControl& control)
+void writeTo(const ConvertOptions& options, const Model& model, TaskControl& control)
 {
     if (isPicture(options.output))
         return drawTo(options.output, model);
-    ExportJob job{.parts = {}, .tree = model.tree, .options = options.write};
-    if (job.options.unit.empty() && canBeWrittenIn(model.unit))
-        job.options.unit = model.unit;
-    for (Part& part : model.parts)
-        job.parts.push_back({.part = std::move(part)});
-    const ExportReport report = exportFile(options.output, job, control);
+    ExportJob job = exportJobOf(model, {}, {});
+    const std::string unit = options.write.unit.empty() ? job.options.unit : options.write.unit;
+    job.options = options.write;
+    job.options.unit = unit;
+    const ExportReport report = exportFile(options.output, std::move(job), control);
     if (options.report)
         writeReportBeside(report);
     if (report.isSound() && !options.report)
@@ -64,52 +62,26 @@ void writeTo(const ConvertOptions& options, Model& model, TaskControl& control)
         std::cerr << "knead: " << line << '\n';
 }
 
-std::optional<Model> read(const ConvertOptions& options, int& status)
-{
-    TerminalControl control;
-    try {
-        ImportOptions how = options.import;
-        how.linearDeflection = options.deflection * millimeter;
-        Model model = importInChild(options.input, how, control);
-        control.clear();
-        return model;
-    } catch (const Cancelled&) {
-        control.clear();
-        status = complain("interrupted.", exit_status::interrupted);
-    } catch (const std::exception& error) {
-        control.clear();
-        status = complain(error.what(), exit_status::wrongUse);
-    }
-    return std::nullopt;
-}
-
 int convert(const ConvertOptions& options)
 {
     if (const std::string problem = problemWithName(options.output);
         !problem.empty()) // before waiting for IN to be read
         return complain(problem, exit_status::wrongUse);
-    int status = exit_status::done;
-    std::optional<Model> model = read(options, status);
-    if (!model)
-        return status;
-    TerminalControl control;
-    try {
-        writeTo(options, *model, control);
+    return carryOut([&](TerminalControl& control, int& failure) {
+        ImportOptions how = options.import;
+        how.linearDeflection = options.deflection * millimeter;
+        const Model model = importInChild(options.input, how, control);
+        failure = exit_status::failed;
+        writeTo(options, model, control);
         control.clear();
-    } catch (const Cancelled&) {
-        control.clear();
-        return complain("interrupted; no file was left half-written.", exit_status::interrupted);
-    } catch (const std::exception& error) {
-        control.clear();
-        return complain(error.what(), exit_status::failed);
-    }
-    for (const Message& warning : model->warnings)
-        std::cerr << "knead: warning: " << warning.english() << '\n';
-    if (model->unitRemark)
-        std::cerr << "knead: warning: " << model->unitRemark->sentence.english() << '\n';
-    for (const Message& sentence : model->missing)
-        std::cerr << "knead: missing: " << sentence.english() << '\n';
-    return exit_status::done;
+        for (const Message& warning : model.warnings)
+            std::cerr << "knead: warning: " << warning.english() << '\n';
+        if (model.unitRemark)
+            std::cerr << "knead: warning: " << model.unitRemark->sentence.english() << '\n';
+        for (const Message& sentence : model.missing)
+            std::cerr << "knead: missing: " << sentence.english() << '\n';
+        return exit_status::done;
+    });
 }
 
 } // namespace

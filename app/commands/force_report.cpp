@@ -1,5 +1,6 @@
 #include "app/commands/force_report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -76,11 +77,15 @@ void printForces(const RunReport& report)
     }
     if (!report.forcesFile.empty())
         std::printf("wrote %s\n", report.forcesFile.c_str());
-    for (const ProbeSeries::Curve& probe : report.probes.curves())
+    for (const ProbeCurve& probe : report.probes)
         if (!probe.samples.empty()) {
             const ProbeSample& last = probe.samples.back();
-            std::printf("probe %s: moved %.4g mm, strain %.3g, stress %.4g Pa\n", probe.name.c_str(),
-                        1000 * last.displacement, last.strain, last.stress);
+            std::printf("probe %s: moved %.4g mm", probe.name.c_str(), 1000 * last.displacement);
+            if (std::isfinite(last.strain))
+                std::printf(", strain %.3g", last.strain);
+            if (std::isfinite(last.stress))
+                std::printf(", stress %.4g Pa", last.stress);
+            std::printf("\n");
         }
     if (!report.probesFile.empty())
         std::printf("wrote %s\n", report.probesFile.c_str());

@@ -1,9 +1,9 @@
 #include "app/commands/info_command.h"
 
 #include "app/cad_process.h"
+#include "app/commands/carry_out.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
-#include "app/terminal_control.h"
 #include "core/geometry/wall_thickness.h"
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -166,21 +165,12 @@ void printTree(const Model& model)
 
 int info(const InfoOptions& options)
 {
-    TerminalControl control;
-    try {
+    return carryOut([&](TerminalControl& control, int&) {
         const Model model = importInChild(options.file, options.import, control);
         control.clear();
         options.json ? printJson(model) : printTree(model);
         return exit_status::done;
-    } catch (const Cancelled&) {
-        control.clear();
-        std::cerr << "knead: interrupted.\n";
-        return exit_status::interrupted;
-    } catch (const std::exception& error) {
-        control.clear();
-        std::cerr << "knead: " << error.what() << '\n';
-        return exit_status::wrongUse;
-    }
+    });
 }
 
 } // namespace

@@ -1,10 +1,9 @@
 #include "app/commands/measure_command.h"
 
-#include "app/complaint.h"
+#include "app/commands/carry_out.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "app/opened_shape.h"
-#include "app/terminal_control.h"
 #include "core/session/measurement.h"
 #include "core/session/measurement_text.h"
 #include "ui/units.h"
@@ -14,7 +13,6 @@
 
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -133,20 +131,15 @@ void printJson(const std::vector<Row>& rows, const MeasureOptions& options, cons
 
 int measure(const MeasureOptions& options)
 {
-    TerminalControl control;
-    try {
+    return carryOut([&](TerminalControl& control, int&) {
         const OpenedShape shape = openShape(options.file, options.entry, options.import, control);
         const std::vector<Row> rows = measureAll(options, shape);
         control.clear();
+        for (const Message& warning : shape.warnings)
+            std::cerr << "knead: warning: " << warning.english() << '\n';
         options.json ? printJson(rows, options, shape) : print(rows, shape);
         return exit_status::done;
-    } catch (const Cancelled&) {
-        control.clear();
-        return complain("interrupted.", exit_status::interrupted);
-    } catch (const std::exception& error) {
-        control.clear();
-        return complain(error.what(), exit_status::wrongUse);
-    }
+    });
 }
 
 } // namespace
@@ -158,9 +151,11 @@ void addMeasureCommand(CLI::App& program, int& exitStatus)
         "measure", "Measure the bodies of a file, or of a project as they are at an entry and were at rest");
     command->add_option("FILE", options->file, "CAD or mesh file, or a project saved by the window")->required();
     command
-        ->add_option("-m,--measure", options->what,
-                     "What else: \"distance 0,0,0 100,0,0\", \"face-radius lid:12\". Places are in mm, on the shape at "
-                     "rest; faces are numbered from 0. May be given several times")
+        ->add_option(
+            "-m,--measure", options->what,
+            "What else: \"distance 0,0,0 100,0,0\", \"face-radius lid:12\"; also point, distance-to-face, angle, "
+            "face-angle, radius. A place is the point of the skin at rest nearest to x,y,z in mm; faces are "
+            "numbered from 0. May be given several times")
         ->type_name("WHAT")
         ->expected(1)
         ->allow_extra_args(false)

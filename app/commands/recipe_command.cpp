@@ -1,10 +1,10 @@
 #include "app/commands/recipe_command.h"
 
 #include "app/cad_process.h"
+#include "app/commands/carry_out.h"
 #include "app/exit_status.h"
 #include "app/first_recipe.h"
 #include "app/resources.h"
-#include "app/terminal_control.h"
 #include "core/message/message.h"
 #include "core/session/part_filling.h"
 #include "io/files/safe_file.h"
@@ -60,31 +60,17 @@ std::string recipeOfSession(const RecipeOptions& options, TerminalControl& contr
 
 int recipe(const RecipeOptions& options)
 {
-    std::string text;
-    TerminalControl control;
-    try {
+    return carryOut([&](TerminalControl& control, int& failure) {
         std::vector<Message> remarks;
-        text =
+        const std::string text =
             isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
         control.clear();
         for (const Message& remark : remarks)
             std::cerr << "knead: warning: " << remark.english() << '\n';
-    } catch (const Cancelled&) {
-        control.clear();
-        std::cerr << "knead: interrupted.\n";
-        return exit_status::interrupted;
-    } catch (const std::exception& error) {
-        control.clear();
-        std::cerr << "knead: " << error.what() << '\n';
-        return exit_status::wrongUse;
-    }
-    try {
+        failure = exit_status::failed;
         options.output.empty() ? void(std::cout << text) : writeFileSafely(options.output, text);
-    } catch (const std::exception& error) {
-        std::cerr << "knead: " << error.what() << '\n';
-        return exit_status::failed;
-    }
-    return exit_status::done;
+        return exit_status::done;
+    });
 }
 
 } // namespace

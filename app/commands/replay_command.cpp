@@ -1,11 +1,11 @@
 #include "app/commands/replay_command.h"
 
+#include "app/commands/carry_out.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/export_file.h"
 #include "app/hexadecimal.h"
 #include "app/project_replay.h"
-#include "app/terminal_control.h"
 #include "app/thread_limit.h"
 #include "core/model/file_formats.h"
 #include "io/export/job_file.h"
@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -150,29 +149,20 @@ int judge(const ReplayOptions& options, const ReplayReport& report)
 }
 
 /// Each step of the work with the status that its failure has.
-int carryOut(const ReplayOptions& options, TerminalControl& control)
+int repeat(const ReplayOptions& options, TerminalControl& control, int& failure)
 {
-    int failure = exit_status::wrongUse;
-    try {
-        TaskPortion reading(control, 0, 0.1);
-        const Project project = readProject(options.project, reading);
-        const ReplayChoices choices{.entries = entriesOf(options, project),
-                                    .from = options.fromMoments ? HistoryReplay::From::moments
-                                                                : HistoryReplay::From::starts,
-                                    .exports = options.exports};
-        failure = exit_status::failed;
-        TaskPortion repeating(control, 0.1, 1);
-        const ReplayReport report = replayProject(project, choices, repeating);
-        control.clear();
-        options.json ? printJson(project, report) : printTable(project, report);
-        return judge(options, report);
-    } catch (const Cancelled&) {
-        control.clear();
-        return complain("interrupted; no file was left half-written.", exit_status::interrupted);
-    } catch (const std::exception& error) {
-        control.clear();
-        return complain(error.what(), failure);
-    }
+    TaskPortion reading(control, 0, 0.1);
+    const Project project = readProject(options.project, reading);
+    const ReplayChoices choices{.entries = entriesOf(options, project),
+                                .from =
+                                    options.fromMoments ? HistoryReplay::From::moments : HistoryReplay::From::starts,
+                                .exports = options.exports};
+    failure = exit_status::failed;
+    TaskPortion repeating(control, 0.1, 1);
+    const ReplayReport report = replayProject(project, choices, repeating);
+    control.clear();
+    options.json ? printJson(project, report) : printTable(project, report);
+    return judge(options, report);
 }
 
 /// What is wrong with the arguments, before anything is read; empty when nothing is.
@@ -191,8 +181,7 @@ int replay(const ReplayOptions& options)
     if (const std::string problem = problemWith(options); !problem.empty())
         return complain(problem, exit_status::wrongUse);
     const ThreadLimit limit(options.threads);
-    TerminalControl control;
-    return carryOut(options, control);
+    return carryOut([&](TerminalControl& control, int& failure) { return repeat(options, control, failure); });
 }
 
 } // namespace

@@ -60,7 +60,7 @@ const char* wordFor(Trouble trouble)
 namespace {
 
 /// What is not known is null.
-nlohmann::ordered_json jsonOf(const ProbeSeries::Curve& probe)
+nlohmann::ordered_json jsonOf(const ProbeCurve& probe)
 {
     nlohmann::ordered_json json{{"name", probe.name}};
     if (probe.samples.empty())
@@ -69,10 +69,11 @@ nlohmann::ordered_json jsonOf(const ProbeSeries::Curve& probe)
     json["displacement_mm"] = 1000 * last.displacement;
     json["equivalent_strain"] = last.strain;
     json["von_mises_pa"] = last.stress;
+    json["tool_force_n"] = last.force;
     const auto peak = [&](double ProbeSample::*value) {
-        double most = 0;
+        double most = ProbeSample::unknown;
         for (const ProbeSample& sample : probe.samples)
-            most = sample.*value > most ? sample.*value : most;
+            most = std::fmax(most, sample.*value);
         return most;
     };
     json["peak_displacement_mm"] = 1000 * peak(&ProbeSample::displacement);
@@ -132,7 +133,7 @@ nlohmann::ordered_json jsonOf(const RunReport& report)
                                  {"peak_force_n", tool.peakForce},
                                  {"torque_nm", list(tool.torque)}});
     addForces(json, report);
-    for (const ProbeSeries::Curve& probe : report.probes.curves())
+    for (const ProbeCurve& probe : report.probes)
         json["probes"].push_back(jsonOf(probe));
     if (!report.probesFile.empty())
         json["probes_csv"] = report.probesFile;

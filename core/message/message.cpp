@@ -1,12 +1,20 @@
 #include "core/message/message.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace knead {
+
+namespace {
+
+constexpr std::size_t longestSentence = 1U << 16U; // [bytes]
+
+} // namespace
 
 Message Message::sequence(std::vector<Message> sentences)
 {
     std::erase_if(sentences, [](const Message& sentence) { return sentence.empty(); });
+    assert(sentences.size() <= 9);
     if (sentences.size() == 1)
         return std::move(sentences.front());
     Message all;
@@ -37,11 +45,11 @@ std::string Message::english() const
 std::string withPlacesFilled(std::string_view text, const std::vector<std::string>& values)
 {
     std::string filled;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size() && filled.size() < longestSentence; ++i) {
         const bool isPlace = text[i] == '%' && i + 1 < text.size() && text[i + 1] >= '1' && text[i + 1] <= '9';
         const std::size_t place = isPlace ? static_cast<std::size_t>(text[i + 1] - '1') : values.size();
         if (place < values.size()) {
-            filled += values[place];
+            filled.append(values[place], 0, longestSentence);
             ++i;
         } else {
             filled += text[i];

@@ -30,7 +30,7 @@ public:
     /// What is the same in every language: a name, a number, or what another program or an older file said.
     static Message verbatim(std::string text) { return {{}, std::move(text)}; }
 
-    /// One sentence after the other; those that say nothing are left out.
+    /// One sentence after the other; those that say nothing are left out. At most 9.
     static Message sequence(std::vector<Message> sentences);
 
     /// With its places filled, the first with the first. At most 9.
@@ -69,7 +69,8 @@ private:
     std::vector<Message> m_arguments;
 };
 
-/// `text` with "%1" to "%9" replaced by `values`; places that have none stay.
+/// `text` with "%1" to "%9" replaced by `values`; places that have none stay. What gets longer than any sentence, as of a damaged
+/// file, is cut off.
 std::string withPlacesFilled(std::string_view text, const std::vector<std::string>& values);
 
 /// What the world did wrong (a file, a value, a geometry that cannot be), in a sentence that a person can act on.

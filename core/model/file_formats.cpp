@@ -22,6 +22,33 @@ std::string enumerated(const std::vector<std::string>& items, const std::string&
     return words;
 }
 
+std::vector<std::string> namesOf(WhichFormats which)
+{
+    std::vector<std::string> names;
+    for (const FileFormat& format : fileFormats)
+        if (which(format))
+            names.push_back(format.name);
+    return names;
+}
+
+std::vector<std::string> endingsOf(WhichFormats which)
+{
+    std::vector<std::string> endings;
+    for (const FileFormat& format : fileFormats)
+        if (which(format))
+            for (const std::string& ending : format.endings)
+                endings.push_back("." + ending);
+    return endings;
+}
+
+/// @param items at least two
+Message listOf(std::vector<std::string> items)
+{
+    const std::string last = items.back();
+    items.pop_back();
+    return Message("File", "%1 and %2").with(enumerated(items, ", "), last);
+}
+
 } // namespace
 
 std::vector<std::string> FileFormat::endingsRead() const
@@ -65,21 +92,22 @@ std::string lowerCaseEnding(const std::string& path)
 
 std::string formatNames(const std::string& beforeLast, WhichFormats which)
 {
-    std::vector<std::string> names;
-    for (const FileFormat& format : fileFormats)
-        if (which(format))
-            names.push_back(format.name);
-    return enumerated(names, beforeLast);
+    return enumerated(namesOf(which), beforeLast);
 }
 
 std::string formatEndings(const std::string& beforeLast, WhichFormats which)
 {
-    std::vector<std::string> endings;
-    for (const FileFormat& format : fileFormats)
-        if (which(format))
-            for (const std::string& ending : format.endings)
-                endings.push_back("." + ending);
-    return enumerated(endings, beforeLast);
+    return enumerated(endingsOf(which), beforeLast);
+}
+
+Message formatList(WhichFormats which)
+{
+    return listOf(namesOf(which));
+}
+
+Message endingList(WhichFormats which)
+{
+    return listOf(endingsOf(which));
 }
 
 } // namespace knead

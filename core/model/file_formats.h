@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <string>
 #include <vector>
 
@@ -62,6 +64,11 @@ using WhichFormats = bool (*)(const FileFormat&);
 /// "STEP, IGES or STL", for sentences; without more being said, those that are read.
 std::string formatNames(
     const std::string& beforeLast, WhichFormats which = [](const FileFormat& f) { return f.isRead; });
+
+/// The same for sentences in any language.
+Message formatList(WhichFormats which);
+/// The endings likewise.
+Message endingList(WhichFormats which);
 
 /// ".step, .stp and .stl": the endings of files to write; without more being said, of all formats.
 std::string formatEndings(

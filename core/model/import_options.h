@@ -18,6 +18,8 @@ struct ImportOptions {
     std::vector<std::string> parts; ///< Part::path of those wanted, or of assemblies; empty: all
     double memoryLimit = 0;         ///< of the process that reads [bytes]; 0: by the size of the file
     double timeLimit = 0;           ///< of processor time for reading [s]; 0: by the size of the file
+
+    friend bool operator==(const ImportOptions&, const ImportOptions&) = default;
 };
 
 } // namespace knead

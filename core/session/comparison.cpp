@@ -3,10 +3,11 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/geometry/surface_distance.h"
+#include "core/message/message.h"
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -69,13 +70,71 @@ BodyMass massOf(const Part& part)
     return {part.volume > 0 ? part.volume : properties.volume, 0, properties.centroid};
 }
 
-const Part* counterpartOf(const Part& part, std::size_t index, const Model& model)
+std::vector<std::size_t> closedParts(const Model& model)
 {
-    for (const auto& text : {&Part::path, &Part::name})
-        if (const auto found = std::ranges::find(model.parts, part.*text, text);
-            found != model.parts.end() && found->canBeFilled())
-            return &*found;
-    return index < model.parts.size() && model.parts[index].canBeFilled() ? &model.parts[index] : nullptr;
+    std::vector<std::size_t> closed;
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+        if (model.parts[p].canBeFilled())
+            closed.push_back(p);
+    return closed;
+}
+
+std::string nameOf(const Part& part)
+{
+    return part.path.empty() ? part.name : part.path;
+}
+
+struct Pair {
+    std::size_t original;
+    std::size_t changed;
+};
+
+/// Each part once: those of the same path, the first with the first; then those of the same name; then what is left, in order.
+/// @param originals and changed lose what is paired
+std::vector<Pair> pairsOf(const Model& original, const Model& changed, std::vector<std::size_t>& originals,
+                          std::vector<std::size_t>& others)
+{
+    std::vector<Pair> pairs;
+    const auto pair = [&](auto belong) {
+        std::erase_if(others, [&](std::size_t other) {
+            const auto found = std::ranges::find_if(
+                originals, [&](std::size_t one) { return belong(original.parts[one], changed.parts[other]); });
+            if (found == originals.end())
+                return false;
+            pairs.push_back({*found, other});
+            originals.erase(found);
+            return true;
+        });
+    };
+    pair([](const Part& a, const Part& b) { return a.path == b.path && a.name == b.name; });
+    pair([](const Part& a, const Part& b) { return a.name == b.name; });
+    pair([](const Part&, const Part&) { return true; });
+    return pairs;
+}
+
+/// From the one surface to the other and back: what is missing lies on the one, what was added on the other.
+BodyComparison comparePair(const Part& before, const Part& now, TaskControl& control)
+{
+    constexpr double fineness = 1.0 / 100; // of the size: how far from each other places are looked at
+    const auto far = [](std::size_t) { return 1.0; };
+    const auto from = [&](const Part& part, const SurfaceDistance& other, TaskControl& portion) {
+        const TriangleMesh skin = refine(part.mesh, fineness * part.box.diagonal().norm());
+        return distancesOf(nameOf(now), skin, skin.vertices, other, far, portion);
+    };
+    TaskPortion there(control, 0, 0.5);
+    BodyComparison result = from(now, SurfaceDistance(before.mesh), there);
+    TaskPortion back(control, 0.5, 1);
+    const BodyComparison other = from(before, SurfaceDistance(now.mesh), back);
+    if (other.largestDistance > result.largestDistance) {
+        result.largestDistance = other.largestDistance;
+        result.farthest = other.farthest;
+    }
+    result.meanDistance =
+        (result.meanDistance * now.area + other.meanDistance * before.area) / (now.area + before.area);
+    result.largestDisplacement = std::numeric_limits<double>::quiet_NaN();
+    result.rest = massOf(before);
+    result.now = massOf(now);
+    return result;
 }
 
 } // namespace
@@ -97,28 +156,22 @@ Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, c
 
 Comparison compareModels(const Model& original, const Model& changed, TaskControl& control)
 {
-    constexpr double fineness = 1.0 / 100; // of the size: how far from each other places are looked at
+    std::vector<std::size_t> originals = closedParts(original);
+    std::vector<std::size_t> others = closedParts(changed);
     Comparison comparison;
-    for (std::size_t p = 0; p < changed.parts.size(); ++p) {
-        const Part& now = changed.parts[p];
-        const Part* before = counterpartOf(now, p, original);
-        if (!now.canBeFilled() || before == nullptr)
-            continue;
-        const auto count = static_cast<double>(changed.parts.size());
-        TaskPortion portion(control, static_cast<double>(p) / count, static_cast<double>(p + 1) / count);
-        const TriangleMesh skin = refine(now.mesh, fineness * now.box.diagonal().norm());
-        const SurfaceDistance surface(before->mesh);
-        BodyComparison body = distancesOf(
-            now.path.empty() ? now.name : now.path, skin, skin.vertices, surface, [](std::size_t) { return 1.0; },
-            portion);
-        body.largestDisplacement = std::numeric_limits<double>::quiet_NaN();
-        body.rest = massOf(*before);
-        body.now = massOf(now);
-        comparison.bodies.push_back(std::move(body));
+    const std::vector<Pair> pairs = pairsOf(original, changed, originals, others);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto count = static_cast<double>(pairs.size());
+        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        comparison.bodies.push_back(
+            comparePair(original.parts[pairs[i].original], changed.parts[pairs[i].changed], portion));
     }
     if (comparison.bodies.empty())
-        throw std::runtime_error(
-            "No closed part of the one file belongs to one of the other: there is nothing to compare.");
+        throw Problem(Message("Comparison", "One of the files has no closed part: there is nothing to compare."));
+    for (const std::size_t one : originals)
+        comparison.onlyBefore.push_back(nameOf(original.parts[one]));
+    for (const std::size_t one : others)
+        comparison.onlyNow.push_back(nameOf(changed.parts[one]));
     return comparison;
 }
 

@@ -24,6 +24,8 @@ struct BodyComparison {
 struct Comparison {
     double time = 0; ///< simulated [s]
     std::vector<BodyComparison> bodies;
+    std::vector<std::string> onlyBefore; ///< parts of the original that nothing belongs to
+    std::vector<std::string> onlyNow;    ///< parts that belong to none of the original
 };
 
 /// Searches for the nearest point of the original surface from every vertex of the skin; each counts for the area around it.
@@ -32,9 +34,9 @@ struct Comparison {
 Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, const Snapshot& present,
                                TaskControl& control);
 
-/// The parts of a model beside those of another: with the same path, else the same name, else in their order. Parts that are
-/// no solids are left out. Of masses only volumes and centers are known.
-/// @throws std::runtime_error, in a sentence, when nothing can be compared; Cancelled
+/// The closed parts of a model beside those of another: with the same path, else the same name, else in their order. Distances are
+/// the larger ones of both directions; of masses only volumes and centers are known.
+/// @throws Problem when nothing can be compared; Cancelled
 Comparison compareModels(const Model& original, const Model& changed, TaskControl& control);
 
 } // namespace knead

@@ -2,24 +2,30 @@
 
 #include "core/model/length_units.h"
 
+#include <algorithm>
+
 namespace knead {
 
-ExportJob exportJobOf(const Model& model, std::span<const std::size_t> partOfBody, const Snapshot& snapshot)
+ExportJob exportJobOf(const Model& model, std::span<const std::size_t> partOfBody, const Snapshot& snapshot,
+                      const std::vector<bool>& keep)
 {
     ExportJob job;
     job.tree = model.tree;
     job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
-    for (const Part& part : model.parts)
-        job.parts.push_back({.part = part});
-    for (std::size_t b = 0; b < partOfBody.size(); ++b) {
-        const Snapshot::BodyState& body = snapshot.bodies[b];
-        PartToExport& part = job.parts.at(partOfBody[b]);
-        part.aggregate = body.aggregate;
-        part.displacements = body.displacements();
-        part.broken = body.broken;
-        part.relaxed = body.relaxed;
-        part.loaded = loadedObjects(snapshot, static_cast<BodyId>(b));
-        part.density = snapshot.materials[b].density;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        if (!keep.empty() && !keep[p])
+            continue;
+        PartToExport& part = job.parts.emplace_back(PartToExport{.part = model.parts[p]});
+        const auto body = static_cast<std::size_t>(std::ranges::find(partOfBody, p) - partOfBody.begin());
+        if (body == partOfBody.size())
+            continue;
+        const Snapshot::BodyState& state = snapshot.bodies[body];
+        part.aggregate = state.aggregate;
+        part.displacements = state.displacements();
+        part.broken = state.broken;
+        part.relaxed = state.relaxed;
+        part.loaded = loadedObjects(snapshot, static_cast<BodyId>(body));
+        part.density = snapshot.materials[body].density;
     }
     return job;
 }

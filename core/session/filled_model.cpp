@@ -34,35 +34,6 @@ Message openSentence(const Part& part)
         .with(part.name);
 }
 
-std::string uniqueName(const std::string& name, std::set<std::string>& taken)
-{
-    const std::string base = name.empty() ? "Part" : name;
-    std::string candidate = base;
-    for (int i = 2; !taken.insert(candidate).second; ++i)
-        candidate = base + " " + std::to_string(i);
-    return candidate;
-}
-
-std::shared_ptr<const FilledBody> makeBody(const Model& model, std::size_t index, const std::string& name,
-                                           std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
-{
-    const Part& part = model.parts[index];
-    auto body = std::make_shared<FilledBody>();
-    body->part = index;
-    body->name = name;
-    body->color = part.color.value_or(Color{});
-    body->aggregate = std::move(aggregate);
-    control.report(0, "preparing the surface");
-    body->mesh = refine(part.mesh, body->aggregate->lattice.spacing);
-    control.throwIfCancelled();
-    body->render = renderMesh(body->mesh);
-    TaskPortion skinning(control, 0.25, 1);
-    body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
-    body->surfaceObjects = surfaceObjects(*body->aggregate);
-    body->fillings = newFillings();
-    return body;
-}
-
 std::shared_ptr<const FilledSurface> makeSurface(const Model& model, std::size_t index)
 {
     const Part& part = model.parts[index];
@@ -89,7 +60,8 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
         TaskPortion filling(control, 0, 0.6);
         std::shared_ptr<const Aggregate> aggregate = fillPart(part, content.spacing, Arrangement::cutCells, filling);
         TaskPortion preparing(control, 0.6, 1);
-        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), std::move(aggregate), preparing));
+        content.bodies.push_back(
+            filledBody(model, index, uniqueName(part.name, names), std::move(aggregate), preparing));
         return;
     } catch (const Cancelled&) {
         throw;
@@ -181,6 +153,35 @@ PreparedModel withFrame(FilledModel content, Scene scene)
 }
 
 } // namespace
+
+std::string uniqueName(const std::string& name, std::set<std::string>& taken)
+{
+    const std::string base = name.empty() ? "Part" : name;
+    std::string candidate = base;
+    for (int i = 2; !taken.insert(candidate).second; ++i)
+        candidate = base + " " + std::to_string(i);
+    return candidate;
+}
+
+std::shared_ptr<const FilledBody> filledBody(const Model& model, std::size_t index, const std::string& name,
+                                             std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
+{
+    const Part& part = model.parts[index];
+    auto body = std::make_shared<FilledBody>();
+    body->part = index;
+    body->name = name;
+    body->color = part.color.value_or(Color{});
+    body->aggregate = std::move(aggregate);
+    control.report(0, "preparing the surface");
+    body->mesh = refine(part.mesh, body->aggregate->lattice.spacing);
+    control.throwIfCancelled();
+    body->render = renderMesh(body->mesh);
+    TaskPortion skinning(control, 0.25, 1);
+    body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
+    body->surfaceObjects = surfaceObjects(*body->aggregate);
+    body->fillings = newFillings();
+    return body;
+}
 
 Color faceColor(const Part& part, std::uint32_t face)
 {
@@ -275,12 +276,14 @@ FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& c
     const std::vector<Body>& bodies = start.scene.bodies;
     if (!bodies.empty()) {
         content.spacing = bodies.front().aggregate->lattice.spacing;
-        assess(content, fillingSizes(*model, start.partOfBody, choices.spacing, TaskControl::none()));
+        TaskPortion measuring(control, 0, measuredShare);
+        assess(content, fillingSizes(*model, start.partOfBody, choices.spacing, measuring));
     }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto count = static_cast<double>(bodies.size());
-        TaskPortion portion(control, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
-        content.bodies.push_back(makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
+        TaskPortion rest(control, measuredShare, 1);
+        TaskPortion portion(rest, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        content.bodies.push_back(filledBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
         if (!model->parts[p].mesh.empty() &&

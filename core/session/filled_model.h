@@ -98,6 +98,13 @@ struct FilledModel {
     std::set<std::size_t> hiddenAtFirst() const;
 };
 
+/// A part with its objects, ready to be drawn and measured. @throws Cancelled
+std::shared_ptr<const FilledBody> filledBody(const Model& model, std::size_t part, const std::string& name,
+                                             std::shared_ptr<const Aggregate> aggregate, TaskControl& control);
+
+/// "Part", or "Part 2" where that is taken.
+std::string uniqueName(const std::string& name, std::set<std::string>& taken);
+
 /// The color of a CAD face.
 Color faceColor(const Part& part, std::uint32_t face);
 

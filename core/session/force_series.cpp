@@ -1,33 +1,11 @@
 #include "core/session/force_series.h"
 
+#include "core/session/csv.h"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <set>
 
 namespace knead {
-
-namespace {
-
-/// Quoted where a comma or quote would end the field.
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char letter : text)
-        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + '"';
-}
-
-std::string number(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", value);
-    return text.data();
-}
-
-} // namespace
 
 ForceSeries::ForceSeries(std::map<std::string, Vec3> centers)
     : m_centers(std::move(centers))
@@ -99,15 +77,15 @@ std::string ForceSeries::csv() const
         for (int i = 2; !taken.insert(name).second; ++i)
             name = curve.name + ' ' + std::to_string(i);
         for (const char* part : {"Fx [N]", "Fy [N]", "Fz [N]", "Mx [N m]", "My [N m]", "Mz [N m]"})
-            text += ',' + field(name + ' ' + part);
+            text += ',' + csvField(name + ' ' + part);
     }
     text += '\n';
     for (std::size_t r = 0; r < m_times.size(); ++r) {
-        text += number(m_times[r]);
+        text += csvNumber(m_times[r]);
         for (const Curve& curve : m_curves) {
             const std::optional<Row> row = r < curve.rows.size() ? curve.rows[r] : std::nullopt;
             for (Eigen::Index axis = 0; axis < 6; ++axis)
-                text += ',' + (row ? number(axis < 3 ? row->force[axis] : row->moment[axis - 3]) : std::string());
+                text += ',' + (row ? csvNumber(axis < 3 ? row->force[axis] : row->moment[axis - 3]) : std::string());
         }
         text += '\n';
     }

@@ -74,17 +74,15 @@ Color PartAppearance::partColor(const Model& model, std::size_t part) const
     return chosenColor(part).value_or(model.parts[part].color.value_or(Color{}));
 }
 
-Part PartAppearance::dressed(const Model& model, std::size_t part) const
+void PartAppearance::dress(Part& copy, std::size_t part) const
 {
-    Part result = model.parts[part];
     if (const std::string name = chosenName(part); !name.empty())
-        result.name = name;
+        copy.name = name;
     if (const std::optional<Color> color = chosenColor(part)) {
-        result.color = color;
-        for (PartFace& face : result.faces)
+        copy.color = color;
+        for (PartFace& face : copy.faces)
             face.color.reset();
     }
-    return result;
 }
 
 PartNode PartAppearance::dressed(const PartNode& tree) const

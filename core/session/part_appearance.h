@@ -29,7 +29,7 @@ public:
     Color partColor(const Model& model, std::size_t part) const;
 
     /// A part, and the tree of parts, as they go into a file.
-    Part dressed(const Model& model, std::size_t part) const;
+    void dress(Part& copy, std::size_t part) const;
     PartNode dressed(const PartNode& tree) const;
 
     friend bool operator==(const PartAppearance&, const PartAppearance&) = default;

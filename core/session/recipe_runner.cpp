@@ -1,6 +1,7 @@
 #include "core/session/recipe_runner.h"
 
 #include "core/message/message.h"
+#include "core/model/file_names.h"
 #include "core/model/number_words.h"
 #include "core/session/export_jobs.h"
 #include "core/session/pace_watch.h"
@@ -16,7 +17,6 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -115,6 +115,7 @@ public:
     {
         Clock::time_point nextReport = m_start;
         m_latest = m_simulation.snapshot();
+        m_probes.add(*m_latest);
         if (!m_latest->notice.empty())
             warnAtOnce(m_latest->notice.english());
         PaceWatch watch([this](const std::string& sentence) { say(sentence); });
@@ -141,6 +142,7 @@ public:
     void findBalances(TaskControl& control)
     {
         m_latest = m_simulation.snapshot();
+        m_probes.add(*m_latest);
         const double duration = m_recipe.duration / m_recipe.loadSteps;
         for (int i = 0; i < m_recipe.loadSteps; ++i) {
             control.throwIfCancelled();
@@ -187,7 +189,7 @@ public:
         }
         report.tools = m_tools;
         report.forces = m_forces;
-        report.probes = m_probes;
+        report.probes = m_probes.curves();
         report.balances = m_balances;
         for (const Message& warning : m_ready.warnings)
             report.warnings.push_back(warning.english());
@@ -320,7 +322,7 @@ void writeTables(const RecipeFiles& files, const RunTables& tables, RunReport& r
     if (!tables.forces.empty())
         files.writeTable(tables.forces, report.forces.csv());
     if (!tables.probes.empty())
-        files.writeTable(tables.probes, report.probes.csv());
+        files.writeTable(tables.probes, csvOf(report.probes));
     report.forcesFile = tables.forces;
     report.probesFile = tables.probes;
 }
@@ -330,14 +332,20 @@ void writeTables(const RecipeFiles& files, const RunTables& tables, RunReport& r
 RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::string& outputFolder,
                     TaskControl& control, const SayAtOnce& say, const RunTables& tables)
 {
+    if (!tables.probes.empty() && recipe.probes.empty())
+        throw UnusableInput(aboutFile(
+            recipe.file, Message("Recipe", "it has no probes whose readings could be written; add the key probes.")));
     TaskPortion preparing(control, 0, sceneEnd);
-    const RecipeScene ready = buildScene(recipe, files, preparing);
+    TaskPortion filling(preparing, 0, 0.9);
+    const RecipeScene ready = buildScene(recipe, files, filling);
     checkEvents(recipe, ready);
+    TaskPortion probing(preparing, 0.9, 1);
+    ProbeSeries probes(recipe, ready, probing);
     files.prepareFolders(recipe.exports, outputFolder);
 
     if (say && !ready.fineness.warning.empty())
         say(ready.fineness.warning.english());
-    Runner runner(recipe, ready, ProbeSeries(recipe, ready, preparing), say);
+    Runner runner(recipe, ready, std::move(probes), say);
     try {
         recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
     } catch (const Cancelled&) {
@@ -356,10 +364,9 @@ RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::s
     writeTables(files, tables, report);
     if (recipe.exports.empty())
         return report;
-    std::vector<std::size_t> partOfBody(ready.parts().size());
-    std::iota(partOfBody.begin(), partOfBody.end(), std::size_t{0});
-    WrittenExports written = files.writeExports(
-        recipe.exports, outputFolder, exportJobOf(*ready.model, partOfBody, runner.latest()), runner.latest(), writing);
+    WrittenExports written =
+        files.writeExports(recipe.exports, outputFolder, exportJobOf(*ready.model, ready.partOfBody(), runner.latest()),
+                           runner.latest(), writing);
     report.files = std::move(written.files);
     report.exports = std::move(written.reports);
     return report;

@@ -52,7 +52,7 @@ struct RunReport {
     std::vector<ToolState> tools;    ///< as last seen, those taken away included
     ForceSeries forces;              ///< of fixtures, tools and loads over time
     std::string forcesFile;          ///< where they were written as a table; empty: nowhere
-    ProbeSeries probes;
+    std::vector<ProbeCurve> probes;
     std::string probesFile;             ///< the same
     std::vector<StaticReport> balances; ///< of each load step of a static analysis
     std::vector<std::string> files;     ///< written, in the order of the recipe

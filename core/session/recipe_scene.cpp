@@ -39,9 +39,7 @@ std::shared_ptr<const Aggregate> fillNamed(const Part& part, Arrangement arrange
 void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 {
     TaskPortion measuring(control, 0, 0.1);
-    std::vector<std::size_t> all(result.parts().size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    const FillingSize size = fillingSizes(*result.model, all, recipe.spacing, measuring).all;
+    const FillingSize size = fillingSizes(*result.model, result.partOfBody(), recipe.spacing, measuring).all;
     const double spacing = spacingFor(recipe.spacing, size);
     result.fineness = assessSpacing(spacing, size);
     if (recipe.arrangement == Arrangement::published)
@@ -177,6 +175,13 @@ void setWorld(const Recipe& recipe, Scene& scene)
 }
 
 } // namespace
+
+std::vector<std::size_t> RecipeScene::partOfBody() const
+{
+    std::vector<std::size_t> all(parts().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
 
 std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const Message& place)
 {

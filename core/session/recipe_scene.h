@@ -21,6 +21,7 @@ struct RecipeScene {
     std::vector<Message> warnings;                           ///< sentences: of the import, and parts left out
 
     const std::vector<Part>& parts() const { return model->parts; } ///< one per body of the scene, same order
+    std::vector<std::size_t> partOfBody() const;                    ///< as ProjectStart has it
 };
 
 /// Imports the parts and fills every closed body of it.

@@ -24,14 +24,6 @@ ImportChoices choicesOf(const Recipe& recipe, const RecipeScene& scene)
     return choices;
 }
 
-ProjectStart recipeStartOf(const RecipeScene& scene)
-{
-    ProjectStart start{.scene = scene.scene, .partOfBody = {}};
-    for (std::size_t part = 0; part < scene.parts().size(); ++part)
-        start.partOfBody.push_back(part);
-    return start;
-}
-
 void addFaces(const RecipeFixture& fixture, const RecipeScene& scene, std::vector<FaceFixture>& fixtures)
 {
     if (fixture.faces.empty())
@@ -66,7 +58,7 @@ RecipeStart recipeStart(Recipe wanted, const RecipeFiles& files, TaskControl& co
     const auto& [recipe, scene] = *ready;
     RecipeStart start{.model = scene.model,
                       .choices = choicesOf(recipe, scene),
-                      .start = recipeStartOf(scene),
+                      .start = {.scene = scene.scene, .partOfBody = scene.partOfBody()},
                       .fixtures = faceFixtures(recipe, scene),
                       .script = {},
                       .warnings = scene.warnings};
@@ -74,6 +66,10 @@ RecipeStart recipeStart(Recipe wanted, const RecipeFiles& files, TaskControl& co
         start.warnings.push_back(Message(
             "Recipe", "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it out "
                       "as motion in time."));
+    if (!recipe.probes.empty())
+        start.warnings.push_back(Message("Recipe",
+                                         "The probes of this recipe are read by \"knead run\". Put probes on the "
+                                         "part to read them here."));
     start.script = scriptOf(std::move(ready));
     return start;
 }

@@ -43,19 +43,25 @@ std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content
     return placeOf(place, body, places);
 }
 
-SkinPlace nearestPlace(const Vec3& point, const FilledBodies& bodies)
+std::optional<SkinPlace> nearestPlace(const Vec3& point, const FilledBodies& bodies)
 {
-    SkinPlace nearest;
+    constexpr double farthest = 0.1; // of the size
+    std::optional<SkinPlace> nearest;
     double least = std::numeric_limits<double>::infinity();
+    Box box;
     for (BodyId b = 0; b < bodies.size(); ++b) {
+        if (!bodies[b])
+            continue;
         const TriangleMesh& mesh = bodies[b]->mesh;
+        for (const Vec3& vertex : mesh.vertices)
+            box.extend(vertex);
         const SurfaceDistance::Hit hit = SurfaceDistance(mesh).nearest(point);
         if (hit.distance >= least)
             continue;
         least = hit.distance;
         nearest = {b, hit.triangle, nearestShares(cornersOf(mesh, hit.triangle, mesh.vertices), hit.point)};
     }
-    return nearest;
+    return nearest && least <= farthest * box.diagonal().norm() ? nearest : std::nullopt;
 }
 
 std::optional<std::uint32_t> faceOf(const SkinPlace& place, const FilledBody& body)

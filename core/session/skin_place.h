@@ -26,8 +26,9 @@ Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec
 std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
                               const std::set<std::size_t>& hiddenParts);
 
-/// The place of the bodies at rest that is nearest to a point [m]. @pre there is a body
-SkinPlace nearestPlace(const Vec3& point, const FilledBodies& bodies);
+/// The place of bodies at rest that is nearest to a point [m]; null ones are left out. None where there is none, and where the
+/// point is farther away than a tenth of the size of the bodies: somebody took other units or another origin.
+std::optional<SkinPlace> nearestPlace(const Vec3& point, const FilledBodies& bodies);
 
 /// CAD face that the place lies on; none on plain meshes.
 std::optional<std::uint32_t> faceOf(const SkinPlace& place, const FilledBody& body);

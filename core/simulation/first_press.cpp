@@ -16,7 +16,6 @@ namespace {
 
 constexpr double pressTime = 0.8; // [s]
 constexpr double endTime = 1.0;   // [s]; the rest shows the material at rest
-constexpr double manyObjects = 20'000;
 
 constexpr double heldShare = 0.12;    // of an extent
 constexpr double longShare = 2;       // times as long as thick: what is bent
@@ -39,21 +38,15 @@ Box boxOfClosedParts(const Model& model)
     return box;
 }
 
-/// Cells across the thinnest wall, in the mean of its part, at most the two that are wanted, of a filling whose run takes some
-/// seconds.
-double cellsAcrossWall(const Model& model)
+/// Cells across the thinnest wall, in the mean of its part, at most the two that are wanted.
+double cellsAcrossWall(const Model& model, double spacing)
 {
-    double volume = 0;
-    double spacing = std::numeric_limits<double>::infinity();
-    for (const Part& part : model.parts) {
-        if (!part.canBeFilled() || !(part.volume > 0) || !(part.area > 0))
-            continue;
-        volume += part.volume;
-        spacing = std::min(spacing, part.volume / part.area); // half the thickness of a plate
-    }
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const Part& part : model.parts)
+        if (part.canBeFilled() && part.volume > 0 && part.area > 0)
+            thinnest = std::min(thinnest, 2 * part.volume / part.area); // of a plate
     constexpr double wantedCells = 2;
-    const double objects = volume / (spacing * spacing * spacing);
-    return wantedCells * std::min(1.0, std::cbrt(manyObjects / objects));
+    return std::min(wantedCells, thinnest / spacing);
 }
 
 /// The axes of a box by its extent.
@@ -212,7 +205,7 @@ double strainAtBreak(const Material& material)
     return material.tensileStrength / material.youngsModulus;
 }
 
-FirstPress firstPress(const Model& model, double bearableStrain)
+FirstPress firstPress(const Model& model, double spacing, double bearableStrain)
 {
     const Box box = boxOfClosedParts(model);
     const Axes axes = axesOf(box);
@@ -222,7 +215,7 @@ FirstPress firstPress(const Model& model, double bearableStrain)
     FirstPress press;
     press.held = lowEnd(model, box, isLong ? axes.longest : axes.shortest);
     // Two cells across a wall show what it does.
-    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * cellsAcrossWall(model)));
+    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * cellsAcrossWall(model, spacing)));
     press.block = isLong ? bendingBlock(model, box, axes, press.held.max()[axes.longest], share, bearableStrain)
                          : squeezingBlock(model, box, axes, share, bearableStrain);
     press.bends = isLong;

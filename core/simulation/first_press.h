@@ -19,9 +19,11 @@ struct FirstPress {
     bool hasBodies = false; ///< more than one, which may touch
 };
 
+/// @param spacing of its filling [m]
 /// @param bearableStrain what the material bears before it breaks, see below
 /// @throws Problem when no part is closed.
-FirstPress firstPress(const Model& model, double bearableStrain = std::numeric_limits<double>::infinity());
+FirstPress firstPress(const Model& model, double spacing,
+                      double bearableStrain = std::numeric_limits<double>::infinity());
 
 /// Strain of a bar when it breaks; infinite for what never does.
 double strainAtBreak(const Material& material);

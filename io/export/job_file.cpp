@@ -232,7 +232,7 @@ std::string jobToBytes(const ExportJob& job)
                          {"hasObjects", part.aggregate != nullptr},
                          {"formers", stagesOf(part.aggregate.get())}});
     }
-    blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
+    blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump(-1, ' ', false, Json::error_handler_t::replace)));
     blocks.add(std::string_view(modelToBytes(model)));
     for (const PartToExport& part : job.parts) {
         if (part.cut) {

@@ -187,9 +187,11 @@ FormatKind recognizeFormat(const std::string& path)
     if (looksLikeObj(head) || (isNamedAs(FormatKind::Obj, path) && isText(head)))
         return FormatKind::Obj;
     if (isText(head))
-        failReading(path, Message("Import", "this is a text, but none of %1; export the part as STEP.")
-                              .with(formatNames(", ", isTextRead)));
-    failReading(path, Message("Import", "the content is none of %1; export the part as STEP.").with(formatNames(", ")));
+        failReading(
+            path,
+            Message("Import", "this is a text, but none of %1; export the part as STEP.").with(formatList(isTextRead)));
+    failReading(path, Message("Import", "the content is none of %1; export the part as STEP.")
+                          .with(formatList([](const FileFormat& format) { return format.isRead; })));
 }
 
 void failReading(const std::string& path, const Message& sentence)

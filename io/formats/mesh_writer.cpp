@@ -23,7 +23,7 @@ const MeshWriter& writerFor(const std::string& path)
                                             [&](const MeshWriter& one) { return one.ending == lowerCaseEnding(path); });
     if (writer == meshWriters.end())
         failReading(path, Message("Export", "the ending is none of %1; name the file after its format.")
-                              .with(formatEndings(", ", [](const FileFormat& format) { return !format.isSmooth; })));
+                              .with(endingList([](const FileFormat& format) { return !format.isSmooth; })));
     return *writer;
 }
 

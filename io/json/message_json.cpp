@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t mostArguments = 9;
-constexpr int deepest = 32; // of messages in messages
+constexpr int deepest = 8; // of messages in messages
 
 Message nestedMessage(const Json& json, int depth)
 {

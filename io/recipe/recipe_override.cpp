@@ -5,6 +5,7 @@
 #include "io/recipe/recipe_values.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <stdexcept>
@@ -192,6 +193,21 @@ private:
     std::vector<std::string> m_steps;
 };
 
+/// A recipe says in one way how finely parts are filled: what is set takes the place of what the file says.
+void forgetOtherFilling(const std::string& key, JsonValue& recipe)
+{
+    constexpr std::array<std::string_view, 4> ways{"spacing_mm", "cells_across", "cells_across_wall", "objects"};
+    auto* object = std::get_if<JsonValue::Object>(&recipe.content);
+    const auto isSet = [&] {
+        return std::ranges::any_of(*object, [&](const auto& item) { return item.first == key; });
+    };
+    if (object == nullptr || std::ranges::find(ways, key) == ways.end() || !isSet())
+        return;
+    std::erase_if(*object, [&](const auto& item) {
+        return item.first != key && std::ranges::find(ways, item.first) != ways.end();
+    });
+}
+
 } // namespace
 
 RecipeOverride parseOverride(const std::string& text)
@@ -229,8 +245,10 @@ JsonValue overrideValue(const RecipeOverride& change)
 
 void applyOverrides(JsonValue& recipe, const std::vector<RecipeOverride>& changes, const std::string& file)
 {
-    for (const RecipeOverride& change : changes)
+    for (const RecipeOverride& change : changes) {
         Walk(change, file).change(recipe);
+        forgetOtherFilling(change.path, recipe);
+    }
 }
 
 } // namespace knead

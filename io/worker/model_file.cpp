@@ -39,6 +39,22 @@ std::size_t aligned(std::size_t size)
 // --- writing ----------------------------------------------------------------------------------------------------------
 
 /// Flat, each node with the number of its parent, since a tree may be thousands of levels deep.
+/// In English, as earlier versions read them, and with what goes into them.
+void put(Json& json, const std::string& key, const std::vector<Message>& messages)
+{
+    Json& english = json[key] = Json::array();
+    for (const Message& message : messages)
+        english.push_back(message.english());
+    if (!messages.empty())
+        json[key + "Said"] = toJson(messages);
+}
+
+std::vector<Message> taken(const Json& json, const std::string& key)
+{
+    const auto said = json.find(key + "Said");
+    return messagesFrom(said != json.end() ? *said : json.at(key));
+}
+
 void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
 {
     const auto own = static_cast<std::int64_t>(nodes.size());
@@ -114,9 +130,9 @@ private:
                   {"insideOut", part.insideOut},
                   {"maxTolerance", part.maxTolerance},
                   {"visible", part.visible},
-                  {"layer", part.layer},
-                  {"repairs", knead::toJson(part.repairs)},
-                  {"warnings", knead::toJson(part.warnings)}};
+                  {"layer", part.layer}};
+        put(json, "repairs", part.repairs);
+        put(json, "warnings", part.warnings);
         if (!part.bodyOf.empty())
             json["bodyOf"] = part.bodyOf;
         if (!part.box.isEmpty())
@@ -137,12 +153,13 @@ private:
         Json json{{"file", model.file},
                   {"format", model.format},
                   {"unit", model.unit},
-                  {"warnings", knead::toJson(model.warnings)},
-                  {"missing", knead::toJson(model.missing)},
                   {"parts", Json::array()},
                   {"nodes", Json::array()}};
+        put(json, "warnings", model.warnings);
+        put(json, "missing", model.missing);
         if (model.unitRemark)
-            json["unitRemark"] = {{"sentence", knead::toJson(model.unitRemark->sentence)},
+            json["unitRemark"] = {{"sentence", model.unitRemark->sentence.english()},
+                                  {"said", knead::toJson(model.unitRemark->sentence)},
                                   {"unit", model.unitRemark->unit}};
         for (const Part& part : model.parts)
             json["parts"].push_back(toJson(part));
@@ -248,10 +265,11 @@ public:
         model.file = m_json.at("file").get<std::string>();
         model.format = m_json.at("format").get<std::string>();
         model.unit = m_json.at("unit").get<std::string>();
-        model.warnings = messagesFrom(m_json.at("warnings"));
-        model.missing = messagesFrom(m_json.at("missing"));
+        model.warnings = taken(m_json, "warnings");
+        model.missing = taken(m_json, "missing");
         if (const auto remark = m_json.find("unitRemark"); remark != m_json.end())
-            model.unitRemark = {messageFrom(remark->at("sentence")), remark->at("unit").get<std::string>()};
+            model.unitRemark = {messageFrom(remark->contains("said") ? remark->at("said") : remark->at("sentence")),
+                                remark->at("unit").get<std::string>()};
         for (const Json& json : m_json.at("parts"))
             model.parts.push_back(part(json));
         model.tree = treeOf(m_json.at("nodes"), model.parts.size());
@@ -337,10 +355,10 @@ private:
         part.maxTolerance = finite(json.at("maxTolerance"));
         part.visible = json.at("visible").get<bool>();
         part.layer = json.at("layer").get<std::string>();
-        part.repairs = messagesFrom(json.at("repairs"));
+        part.repairs = taken(json, "repairs");
         for (const Json& edge : json.at("openEdges"))
             part.openEdges.push_back(points(edge));
-        part.warnings = messagesFrom(json.at("warnings"));
+        part.warnings = taken(json, "warnings");
         return part;
     }
 
@@ -394,11 +412,8 @@ FilePreview previewFromBytes(std::string_view bytes)
 
 std::string failureToBytes(const Message& sentence)
 {
-    try {
-        return std::string(failureMark) + toJson(sentence).dump();
-    } catch (const Json::type_error&) { // the name of a file need not be UTF-8
-        return std::string(failureMark) + sentence.english();
-    }
+    // The name of a file need not be UTF-8.
+    return std::string(failureMark) + toJson(sentence).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Message failureIn(std::string_view bytes)

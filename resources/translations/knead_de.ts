@@ -495,7 +495,7 @@
     </message>
     <message>
         <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Ein Körper kann sich frei bewegen: festhalten oder die Zeit laufen lassen (dynamic), bis er auf etwas ruht.</translation>
+        <translation>Ein Körper kann sich frei bewegen: festhalten oder die Zeit laufen lassen, bis er auf etwas ruht.</translation>
     </message>
     <message>
         <source>A load step takes more than 0 and up to 3600 s.</source>
@@ -503,11 +503,11 @@
     </message>
     <message>
         <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 ist starr und kann sich frei bewegen: festhalten, verformbar machen oder die Zeit laufen lassen (dynamic).</translation>
+        <translation>%1 ist starr und kann sich frei bewegen: festhalten, verformbar machen oder die Zeit laufen lassen.</translation>
     </message>
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen (dynamic).</translation>
+        <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen.</translation>
     </message>
 </context>
 <context>
@@ -583,6 +583,21 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Nichts heißt so: versuchen Sie es mit weniger Buchstaben.</translation>
+    </message>
+</context>
+<context>
+    <name>Comparison</name>
+    <message>
+        <source>One of the files has no closed part: there is nothing to compare.</source>
+        <translation>Eine der Dateien hat kein geschlossenes Teil: Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; of the original belongs to no closed part of the other file.</source>
+        <translation>Zu „%1“ des Originals gehört kein geschlossenes Teil der anderen Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to no closed part of the original.</source>
+        <translation>„%1“ gehört zu keinem geschlossenen Teil des Originals.</translation>
     </message>
 </context>
 <context>
@@ -701,6 +716,18 @@
         <source>Measurements</source>
         <translation>Messungen</translation>
     </message>
+    <message>
+        <source>%1 beside %2</source>
+        <translation>%1 neben %2</translation>
+    </message>
+    <message>
+        <source>Written by Knead on %1.</source>
+        <translation>Geschrieben von Knead am %1.</translation>
+    </message>
+    <message>
+        <source>Distances are those of each surface from the nearest point of the other, the larger of both; the mean is by area.</source>
+        <translation>Abstände sind die jeder Oberfläche vom nächsten Punkt der anderen, der größere von beiden; das Mittel ist nach Fläche gewichtet.</translation>
+    </message>
 </context>
 <context>
     <name>Cut</name>
@@ -710,11 +737,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
-        <translation>&quot;%1&quot; ist starr und wird nicht geschnitten. Machen Sie es zuerst verformbar.</translation>
+        <translation>„%1“ ist starr und wird nicht geschnitten. Machen Sie es zuerst verformbar.</translation>
     </message>
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
-        <translation>Die Ebene trifft nichts von &quot;%1&quot;, das sich schneiden ließe.</translation>
+        <translation>Die Ebene trifft nichts von „%1“, das sich schneiden ließe.</translation>
     </message>
 </context>
 <context>
@@ -1790,6 +1817,10 @@
         <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
         <translation>%1: der Ordner für temporäre Dateien nimmt nichts mehr auf (%2); schaffen Sie dort Platz oder setzen Sie TMPDIR auf einen anderen.</translation>
     </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>
@@ -1851,15 +1882,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no surface, so it is not shown.</source>
-        <translation>&quot;%1&quot; hat keine Oberfläche und wird deshalb nicht gezeigt.</translation>
+        <translation>„%1“ hat keine Oberfläche und wird deshalb nicht gezeigt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>&quot;%1&quot; ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
+        <translation>„%1“ ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
+        <translation>„%1“ wird nicht simuliert: %2</translation>
     </message>
     <message>
         <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
@@ -1875,43 +1906,43 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no surface that it could be filled from.</source>
-        <translation>&quot;%1&quot; hat keine Oberfläche, aus der es gefüllt werden könnte.</translation>
+        <translation>„%1“ hat keine Oberfläche, aus der es gefüllt werden könnte.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is arranged as published, which filling anew does not know.</source>
-        <translation>&quot;%1&quot; ist wie veröffentlicht angeordnet, was das Neufüllen nicht kennt.</translation>
+        <translation>„%1“ ist wie veröffentlicht angeordnet, was das Neufüllen nicht kennt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not deformable, and keeps its shape.</source>
-        <translation>&quot;%1&quot; ist nicht verformbar und behält seine Form.</translation>
+        <translation>„%1“ ist nicht verformbar und behält seine Form.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
-        <translation>&quot;%1&quot; ist elastisch: es behält seine Ruheform und wird nicht neu gefüllt. Lassen Sie es fließen oder renormieren Sie es.</translation>
+        <translation>„%1“ ist elastisch: es behält seine Ruheform und wird nicht neu gefüllt. Lassen Sie es fließen oder renormieren Sie es.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
-        <translation>&quot;%1&quot; hat Risse, die eine andere Füllung verwischen würde: nur was heilt, wird mit ihnen neu gefüllt.</translation>
+        <translation>„%1“ hat Risse, die eine andere Füllung verwischen würde: nur was heilt, wird mit ihnen neu gefüllt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; came apart after its skin was drawn out far: pieces of such a body are not filled anew.</source>
-        <translation>&quot;%1&quot; zerfiel, nachdem seine Haut weit ausgezogen worden war: Stücke eines solchen Körpers werden nicht neu gefüllt.</translation>
+        <translation>„%1“ zerfiel, nachdem seine Haut weit ausgezogen worden war: Stücke eines solchen Körpers werden nicht neu gefüllt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has cracks that gape, which another filling would close.</source>
-        <translation>&quot;%1&quot; hat klaffende Risse, die eine andere Füllung schließen würde.</translation>
+        <translation>„%1“ hat klaffende Risse, die eine andere Füllung schließen würde.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
-        <translation>&quot;%1&quot; hat eine Last auf einem Quader, der nichts über die jetzige Form sagt. Setzen Sie sie auf Flächen.</translation>
+        <translation>„%1“ hat eine Last auf einem Quader, der nichts über die jetzige Form sagt. Setzen Sie sie auf Flächen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; moves out of all bounds.</source>
-        <translation>&quot;%1&quot; bewegt sich über alle Grenzen hinaus.</translation>
+        <translation>„%1“ bewegt sich über alle Grenzen hinaus.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is still being pushed out of a tool that was put into it.</source>
-        <translation>&quot;%1&quot; wird noch aus einem Werkzeug hinausgedrückt, das hineingesetzt wurde.</translation>
+        <translation>„%1“ wird noch aus einem Werkzeug hinausgedrückt, das hineingesetzt wurde.</translation>
     </message>
     <message>
         <source>its cracks gape, and would be filled.</source>
@@ -1919,7 +1950,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; could not be filled anew: %2</source>
-        <translation>&quot;%1&quot; konnte nicht neu gefüllt werden: %2</translation>
+        <translation>„%1“ konnte nicht neu gefüllt werden: %2</translation>
     </message>
     <message>
         <source>cracks touch the surface without crossing it</source>
@@ -1957,7 +1988,7 @@
     <name>Fixture</name>
     <message>
         <source>Fixture &quot;%1&quot; names a body that does not exist.</source>
-        <translation>Die Einspannung &quot;%1&quot; nennt einen Körper, den es nicht gibt.</translation>
+        <translation>Die Einspannung „%1“ nennt einen Körper, den es nicht gibt.</translation>
     </message>
     <message>
         <source>There is no fixture number %1.</source>
@@ -1969,11 +2000,11 @@
     </message>
     <message>
         <source>Fixture &quot;%1&quot; must turn about a place, by more than 0, and no faster than 10000 rad/s.</source>
-        <translation>Die Einspannung &quot;%1&quot; muss sich um einen Ort drehen, um mehr als 0 und nicht schneller als 10000 rad/s.</translation>
+        <translation>Die Einspannung „%1“ muss sich um einen Ort drehen, um mehr als 0 und nicht schneller als 10000 rad/s.</translation>
     </message>
     <message>
         <source>Fixture &quot;%1&quot; must not move faster than 100 m/s.</source>
-        <translation>Die Einspannung &quot;%1&quot; darf sich nicht schneller als 100 m/s bewegen.</translation>
+        <translation>Die Einspannung „%1“ darf sich nicht schneller als 100 m/s bewegen.</translation>
     </message>
 </context>
 <context>
@@ -2651,7 +2682,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1: sein Schema &quot;%2&quot; ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
+        <translation>%1: sein Schema „%2“ ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
     </message>
     <message>
         <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
@@ -2759,7 +2790,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>&quot;%1&quot; was left out: %2.</source>
-        <translation>&quot;%1&quot; wurde weggelassen: %2.</translation>
+        <translation>„%1“ wurde weggelassen: %2.</translation>
     </message>
     <message>
         <source>the file holds no solid and no surface; export the part as a solid.</source>
@@ -3007,7 +3038,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>&quot;%1&quot; has no triangles.</source>
-        <translation>&quot;%1&quot; hat keine Dreiecke.</translation>
+        <translation>„%1“ hat keine Dreiecke.</translation>
     </message>
     <message>
         <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
@@ -3240,7 +3271,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
+        <translation>„%1“ wird nicht simuliert: %2</translation>
     </message>
     <message>
         <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
@@ -3372,19 +3403,19 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Load &quot;%1&quot; acts on nothing.</source>
-        <translation>Die Last &quot;%1&quot; wirkt auf nichts.</translation>
+        <translation>Die Last „%1“ wirkt auf nichts.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; names an object that does not exist.</source>
-        <translation>Die Last &quot;%1&quot; nennt ein Objekt, das es nicht gibt.</translation>
+        <translation>Die Last „%1“ nennt ein Objekt, das es nicht gibt.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; has an area that is no number.</source>
-        <translation>Die Last &quot;%1&quot; hat eine Fläche, die keine Zahl ist.</translation>
+        <translation>Die Last „%1“ hat eine Fläche, die keine Zahl ist.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; names a body that does not exist.</source>
-        <translation>Die Last &quot;%1&quot; nennt einen Körper, den es nicht gibt.</translation>
+        <translation>Die Last „%1“ nennt einen Körper, den es nicht gibt.</translation>
     </message>
     <message>
         <source>There is no load number %1.</source>
@@ -4266,6 +4297,54 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Volume, mass and center of mass of a part</source>
         <translation>Volumen, Masse und Schwerpunkt eines Teils</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be measured: %2</source>
+        <translation>„%1“ kann nicht gemessen werden: %2</translation>
+    </message>
+    <message>
+        <source>a place is three coordinates in mm, as 10,0,2.5; this is %1.</source>
+        <translation>ein Ort sind drei Koordinaten in mm, etwa 10,0,2.5; dies ist %1.</translation>
+    </message>
+    <message>
+        <source>%1 lies far away from all bodies; coordinates are in mm.</source>
+        <translation>%1 liegt weit weg von allen Körpern; Koordinaten sind in mm.</translation>
+    </message>
+    <message>
+        <source>there is no body &quot;%1&quot;; there are: %2.</source>
+        <translation>es gibt keinen Körper „%1“; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>which body the face %1 is of is not clear; put its name before it, as &quot;lid&quot;:%1, or its number from 0, as #0:%1.</source>
+        <translation>zu welchem Körper die Fläche %1 gehört, ist unklar; setzen Sie seinen Namen davor, etwa &quot;lid&quot;:%1, oder seine Nummer ab 0, etwa #0:%1.</translation>
+    </message>
+    <message>
+        <source>there is no face %1; faces are numbered from 0, and meshes have none.</source>
+        <translation>es gibt keine Fläche %1; Flächen werden ab 0 gezählt, und Netze haben keine.</translation>
+    </message>
+    <message>
+        <source>it begins with none of %1.</source>
+        <translation>es beginnt mit keinem von %1.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 places or faces.</source>
+        <translation>%1 braucht %2 Orte oder Flächen.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>das Projekt hat keine Teile.</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>das Projekt hat keinen Eintrag %1; der letzte ist %2.</translation>
+    </message>
+    <message>
+        <source>this is no project: it has no entries.</source>
+        <translation>das ist kein Projekt: Es hat keine Einträge.</translation>
+    </message>
+    <message>
+        <source>no part of it is closed, so there is nothing to measure.</source>
+        <translation>kein Teil davon ist geschlossen, also gibt es nichts zu messen.</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +5930,18 @@ Simuliert: %2, Schritt %3
         <source>The output folder %1 cannot be made; choose another one with --out.</source>
         <translation>Der Ausgabeordner %1 lässt sich nicht anlegen; wählen Sie mit --out einen anderen.</translation>
     </message>
+    <message>
+        <source>%1 lies far away from all bodies; its place is in mm.</source>
+        <translation>%1 liegt weit weg von allen Körpern; ihr Ort ist in mm.</translation>
+    </message>
+    <message>
+        <source>it has no probes whose readings could be written; add the key probes.</source>
+        <translation>es hat keine Sonden, deren Werte geschrieben werden könnten; fügen Sie den Schlüssel probes hinzu.</translation>
+    </message>
+    <message>
+        <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
+        <translation>Die Sonden dieses Rezepts liest „knead run“. Setzen Sie Sonden auf das Teil, um sie hier abzulesen.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -6265,7 +6356,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
-        <translation>&quot;%1&quot; zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
+        <translation>„%1“ zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
     </message>
     <message>
         <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
@@ -6345,7 +6436,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
-        <translation>Das Werkzeug &quot;%1&quot; steckt %2 mm tief in %3: es außerhalb beginnen lassen, weniger weit drücken, es verlangsamen</translation>
+        <translation>Das Werkzeug „%1“ steckt %2 mm tief in %3: es außerhalb beginnen lassen, weniger weit drücken, es verlangsamen</translation>
     </message>
     <message>
         <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
@@ -6365,7 +6456,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
-        <translation>Das Werkzeug &quot;%1&quot; beginnt %2 mm tief in %3, was mit großer Kraft und in sehr kurzen Schritten weggedrückt wird. Es außerhalb beginnen lassen.</translation>
+        <translation>Das Werkzeug „%1“ beginnt %2 mm tief in %3, was mit großer Kraft und in sehr kurzen Schritten weggedrückt wird. Es außerhalb beginnen lassen.</translation>
     </message>
 </context>
 <context>
@@ -6403,11 +6494,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Region &quot;%1&quot;: %2</source>
-        <translation>Bereich &quot;%1&quot;: %2</translation>
+        <translation>Bereich „%1“: %2</translation>
     </message>
     <message>
         <source>Region &quot;%1&quot; names an object that does not exist.</source>
-        <translation>Der Bereich &quot;%1&quot; nennt ein Objekt, das es nicht gibt.</translation>
+        <translation>Der Bereich „%1“ nennt ein Objekt, das es nicht gibt.</translation>
     </message>
     <message>
         <source>It must not start faster than 1000 m/s or 100000 rad/s.</source>
@@ -6419,7 +6510,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Body &quot;%1&quot;: %2</source>
-        <translation>Körper &quot;%1&quot;: %2</translation>
+        <translation>Körper „%1“: %2</translation>
     </message>
     <message>
         <source>The time step must lie between 1e-9 and 1 s.</source>
@@ -7318,7 +7409,7 @@ Simuliert: %2, Schritt %3
     <name>Tool</name>
     <message>
         <source>Tool &quot;%1&quot;: %2</source>
-        <translation>Werkzeug &quot;%1&quot;: %2</translation>
+        <translation>Werkzeug „%1“: %2</translation>
     </message>
     <message>
         <source>each edge must be between 0.001 mm and 1000 m long.</source>

@@ -432,7 +432,7 @@
     </message>
     <message>
         <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
-        <translation>Le corps choisi, ou chaque corps plastique, reçoit de nouveaux objets dans la forme qu’il a, et garde contraintes et mouvement. Là où son réseau ne vaut plus rien, cela se fait tout seul</translation>
+        <translation>Le corps choisi, ou chaque corps plastique, reçoit de nouveaux objets dans la forme qu&apos;il a, et garde contraintes et mouvement. Là où son réseau ne vaut plus rien, cela se fait tout seul</translation>
     </message>
     <message>
         <source>Put one above the part to cut it with: the force is the toughness of its material times the width of the cut</source>
@@ -456,7 +456,7 @@
     </message>
     <message>
         <source>Put one above the part to roll it out with: it turns as it is moved</source>
-        <translation>En placer un au-dessus de la pièce pour l’étaler : il tourne quand on le déplace</translation>
+        <translation>En placer un au-dessus de la pièce pour l&apos;étaler : il tourne quand on le déplace</translation>
     </message>
     <message>
         <source>Roller</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>Hold one end of the new part and let a block press it, to see what it does</source>
-        <translation>Tient la nouvelle pièce par un bout et la presse avec un bloc, pour voir ce qu’elle fait</translation>
+        <translation>Tient la nouvelle pièce par un bout et la presse avec un bloc, pour voir ce qu&apos;elle fait</translation>
     </message>
     <message>
         <source>&amp;Handbook</source>
@@ -476,7 +476,7 @@
     </message>
     <message>
         <source>At the page of what one does</source>
-        <translation>À la page de ce que l’on fait</translation>
+        <translation>À la page de ce que l&apos;on fait</translation>
     </message>
     <message>
         <source>Part</source>
@@ -495,7 +495,7 @@
     </message>
     <message>
         <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Un corps est libre de bouger : tenez-le, ou laissez courir le temps (dynamic) jusqu&apos;à ce qu&apos;il repose sur quelque chose.</translation>
+        <translation>Un corps est libre de bouger : tenez-le, ou laissez courir le temps jusqu&apos;à ce qu&apos;il repose sur quelque chose.</translation>
     </message>
     <message>
         <source>A load step takes more than 0 and up to 3600 s.</source>
@@ -503,11 +503,11 @@
     </message>
     <message>
         <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 est rigide et libre de bouger : tenez-le, rendez-le déformable, ou laissez courir le temps (dynamic).</translation>
+        <translation>%1 est rigide et libre de bouger : tenez-le, rendez-le déformable, ou laissez courir le temps.</translation>
     </message>
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps (dynamic).</translation>
+        <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps.</translation>
     </message>
 </context>
 <context>
@@ -583,6 +583,21 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Rien ne s&apos;appelle ainsi&#xa0;: essayez moins de lettres.</translation>
+    </message>
+</context>
+<context>
+    <name>Comparison</name>
+    <message>
+        <source>One of the files has no closed part: there is nothing to compare.</source>
+        <translation>L&apos;un des fichiers n&apos;a aucune pièce fermée : il n&apos;y a rien à comparer.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; of the original belongs to no closed part of the other file.</source>
+        <translation>À « %1 » de l&apos;original ne correspond aucune pièce fermée de l&apos;autre fichier.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to no closed part of the original.</source>
+        <translation>« %1 » ne correspond à aucune pièce fermée de l&apos;original.</translation>
     </message>
 </context>
 <context>
@@ -701,6 +716,18 @@
         <source>Measurements</source>
         <translation>Mesures</translation>
     </message>
+    <message>
+        <source>%1 beside %2</source>
+        <translation>%1 à côté de %2</translation>
+    </message>
+    <message>
+        <source>Written by Knead on %1.</source>
+        <translation>Écrit par Knead le %1.</translation>
+    </message>
+    <message>
+        <source>Distances are those of each surface from the nearest point of the other, the larger of both; the mean is by area.</source>
+        <translation>Les distances sont celles de chaque surface au point le plus proche de l&apos;autre, la plus grande des deux ; la moyenne est pondérée par l&apos;aire.</translation>
+    </message>
 </context>
 <context>
     <name>Cut</name>
@@ -710,11 +737,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
-        <translation>&quot;%1&quot; est rigide et ne se coupe pas. Rendez-le d&apos;abord déformable.</translation>
+        <translation>« %1 » est rigide et ne se coupe pas. Rendez-le d&apos;abord déformable.</translation>
     </message>
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
-        <translation>Le plan ne rencontre rien de &quot;%1&quot; qui puisse être coupé.</translation>
+        <translation>Le plan ne rencontre rien de « %1 » qui puisse être coupé.</translation>
     </message>
 </context>
 <context>
@@ -1062,7 +1089,7 @@
     </message>
     <message>
         <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
-        <translation>Aucun corps n’est d’un matériau plastique : les corps élastiques gardent leur forme au repos et ne sont pas remplis de nouveau.</translation>
+        <translation>Aucun corps n&apos;est d&apos;un matériau plastique : les corps élastiques gardent leur forme au repos et ne sont pas remplis de nouveau.</translation>
     </message>
     <message>
         <source>Press it</source>
@@ -1268,11 +1295,11 @@
     </message>
     <message>
         <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes sont venues en deux, ce que d&apos;autres programmes lisent plus sûrement.</translation>
     </message>
     <message>
         <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
-        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes sont venues en deux, ce que d&apos;autres programmes lisent plus sûrement.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
@@ -1308,11 +1335,11 @@
     </message>
     <message>
         <source>other programs may read it inside out, as it came back here.</source>
-        <translation>d’autres programmes peuvent la lire retournée, comme elle est revenue ici.</translation>
+        <translation>d&apos;autres programmes peuvent la lire retournée, comme elle est revenue ici.</translation>
     </message>
     <message>
         <source>its faces were not found again as they were written.</source>
-        <translation>ses faces n’ont pas été retrouvées telles qu’elles ont été écrites.</translation>
+        <translation>ses faces n&apos;ont pas été retrouvées telles qu&apos;elles ont été écrites.</translation>
     </message>
     <message>
         <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
@@ -1344,7 +1371,7 @@
     </message>
     <message>
         <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
-        <translation>relues depuis le fichier, ses faces à facettes s’écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
+        <translation>relues depuis le fichier, ses faces à facettes s&apos;écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
     </message>
     <message>
         <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
@@ -1673,7 +1700,7 @@
     </message>
     <message>
         <source>not smooth where it was</source>
-        <translation>plus lisse là où il l’était</translation>
+        <translation>plus lisse là où il l&apos;était</translation>
     </message>
     <message>
         <source>closed and valid</source>
@@ -1790,6 +1817,10 @@
         <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
         <translation>%1&#xa0;: le dossier des fichiers temporaires n&apos;accepte plus rien (%2)&#xa0;; faites-y de la place ou mettez un autre dossier dans TMPDIR.</translation>
     </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>
@@ -1851,15 +1882,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no surface, so it is not shown.</source>
-        <translation>&quot;%1&quot; n&apos;a pas de surface et n&apos;est donc pas montré.</translation>
+        <translation>« %1 » n&apos;a pas de surface et n&apos;est donc pas montré.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>&quot;%1&quot; n&apos;est pas un solide fermé : il est montré, et non simulé. Fermez ses surfaces et importez-le de nouveau.</translation>
+        <translation>« %1 » n&apos;est pas un solide fermé : il est montré, et non simulé. Fermez ses surfaces et importez-le de nouveau.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; n&apos;est pas simulé : %2</translation>
+        <translation>« %1 » n&apos;est pas simulé : %2</translation>
     </message>
     <message>
         <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
@@ -1875,43 +1906,43 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no surface that it could be filled from.</source>
-        <translation>&quot;%1&quot; n&apos;a pas de surface à partir de laquelle il pourrait être rempli.</translation>
+        <translation>« %1 » n&apos;a pas de surface à partir de laquelle il pourrait être rempli.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is arranged as published, which filling anew does not know.</source>
-        <translation>&quot;%1&quot; est disposé comme publié, ce que le nouveau remplissage ne connaît pas.</translation>
+        <translation>« %1 » est disposé comme publié, ce que le nouveau remplissage ne connaît pas.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not deformable, and keeps its shape.</source>
-        <translation>&quot;%1&quot; n&apos;est pas déformable et garde sa forme.</translation>
+        <translation>« %1 » n&apos;est pas déformable et garde sa forme.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
-        <translation>&quot;%1&quot; est élastique : il garde sa forme au repos et n&apos;est pas rempli de nouveau. Rendez-le plastique, ou renormalisez-le.</translation>
+        <translation>« %1 » est élastique : il garde sa forme au repos et n&apos;est pas rempli de nouveau. Rendez-le plastique, ou renormalisez-le.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
-        <translation>&quot;%1&quot; a des fissures, qu&apos;un autre remplissage estomperait : seul ce qui cicatrise est rempli de nouveau avec elles.</translation>
+        <translation>« %1 » a des fissures, qu&apos;un autre remplissage estomperait : seul ce qui cicatrise est rempli de nouveau avec elles.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; came apart after its skin was drawn out far: pieces of such a body are not filled anew.</source>
-        <translation>&quot;%1&quot; s&apos;est séparé après que sa peau a été très étirée : les morceaux d&apos;un tel corps ne sont pas remplis de nouveau.</translation>
+        <translation>« %1 » s&apos;est séparé après que sa peau a été très étirée : les morceaux d&apos;un tel corps ne sont pas remplis de nouveau.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has cracks that gape, which another filling would close.</source>
-        <translation>&quot;%1&quot; a des fissures béantes, qu&apos;un autre remplissage fermerait.</translation>
+        <translation>« %1 » a des fissures béantes, qu&apos;un autre remplissage fermerait.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
-        <translation>&quot;%1&quot; a une charge sur un pavé, qui ne dit rien de sa forme actuelle. Mettez-la sur des faces.</translation>
+        <translation>« %1 » a une charge sur un pavé, qui ne dit rien de sa forme actuelle. Mettez-la sur des faces.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; moves out of all bounds.</source>
-        <translation>&quot;%1&quot; se déplace au-delà de toute limite.</translation>
+        <translation>« %1 » se déplace au-delà de toute limite.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is still being pushed out of a tool that was put into it.</source>
-        <translation>&quot;%1&quot; est encore repoussé hors d&apos;un outil qui a été placé dedans.</translation>
+        <translation>« %1 » est encore repoussé hors d&apos;un outil qui a été placé dedans.</translation>
     </message>
     <message>
         <source>its cracks gape, and would be filled.</source>
@@ -1919,7 +1950,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; could not be filled anew: %2</source>
-        <translation>&quot;%1&quot; n&apos;a pas pu être rempli de nouveau : %2</translation>
+        <translation>« %1 » n&apos;a pas pu être rempli de nouveau : %2</translation>
     </message>
     <message>
         <source>cracks touch the surface without crossing it</source>
@@ -1957,7 +1988,7 @@
     <name>Fixture</name>
     <message>
         <source>Fixture &quot;%1&quot; names a body that does not exist.</source>
-        <translation>La fixation &quot;%1&quot; nomme un corps qui n&apos;existe pas.</translation>
+        <translation>La fixation « %1 » nomme un corps qui n&apos;existe pas.</translation>
     </message>
     <message>
         <source>There is no fixture number %1.</source>
@@ -1969,11 +2000,11 @@
     </message>
     <message>
         <source>Fixture &quot;%1&quot; must turn about a place, by more than 0, and no faster than 10000 rad/s.</source>
-        <translation>La fixation &quot;%1&quot; doit tourner autour d&apos;un lieu, de plus de 0, et pas plus vite que 10000 rad/s.</translation>
+        <translation>La fixation « %1 » doit tourner autour d&apos;un lieu, de plus de 0, et pas plus vite que 10000 rad/s.</translation>
     </message>
     <message>
         <source>Fixture &quot;%1&quot; must not move faster than 100 m/s.</source>
-        <translation>La fixation &quot;%1&quot; ne doit pas se déplacer à plus de 100 m/s.</translation>
+        <translation>La fixation « %1 » ne doit pas se déplacer à plus de 100 m/s.</translation>
     </message>
 </context>
 <context>
@@ -2003,7 +2034,7 @@
     <name>FoldWatch</name>
     <message>
         <source>%1 is folded over itself near (%2): material was pushed over material, and its faces cross there in files, too. Undo the stroke, or press the place smooth with a larger tool.</source>
-        <translation>%1 est replié sur lui-même près de (%2) : de la matière a été poussée par-dessus la matière, et ses faces s’y croisent aussi dans les fichiers. Annuler le geste, ou lisser l’endroit avec un outil plus grand.</translation>
+        <translation>%1 est replié sur lui-même près de (%2) : de la matière a été poussée par-dessus la matière, et ses faces s&apos;y croisent aussi dans les fichiers. Annuler le geste, ou lisser l&apos;endroit avec un outil plus grand.</translation>
     </message>
 </context>
 <context>
@@ -2250,11 +2281,11 @@
     </message>
     <message>
         <source>Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force limit holds it</source>
-        <translation>Appuyer sur la pièce : l’outil sélectionné, sinon un pouce, vient droit dessus et s’enfonce jusqu’à ce que sa limite de force le retienne</translation>
+        <translation>Appuyer sur la pièce : l&apos;outil sélectionné, sinon un pouce, vient droit dessus et s&apos;enfonce jusqu&apos;à ce que sa limite de force le retienne</translation>
     </message>
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
-        <translation>Appuyer et maintenir : l’outil s’enfonce jusqu’à ce que sa limite de force le retienne   Échap : terminé</translation>
+        <translation>Appuyer et maintenir : l&apos;outil s&apos;enfonce jusqu&apos;à ce que sa limite de force le retienne   Échap : terminé</translation>
     </message>
 </context>
 <context>
@@ -2651,7 +2682,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1 : son schéma &quot;%2&quot; n&apos;est pas fait pour des pièces CAO ; vérifiez que rien ne manque.</translation>
+        <translation>%1 : son schéma « %2 » n&apos;est pas fait pour des pièces CAO ; vérifiez que rien ne manque.</translation>
     </message>
     <message>
         <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
@@ -2723,11 +2754,11 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>has 1 face that no triangles could be found for; it is not shown there.</source>
-        <translation>a 1 face pour laquelle aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
+        <translation>a 1 face pour laquelle aucun triangle n&apos;a été trouvé ; rien n&apos;y est montré.</translation>
     </message>
     <message>
         <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
-        <translation>a %1 faces pour lesquelles aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
+        <translation>a %1 faces pour lesquelles aucun triangle n&apos;a été trouvé ; rien n&apos;y est montré.</translation>
     </message>
     <message>
         <source>there is no part or assembly &quot;%1&quot; in it; knead info --json lists the paths of all parts.</source>
@@ -2759,7 +2790,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>&quot;%1&quot; was left out: %2.</source>
-        <translation>&quot;%1&quot; a été laissé de côté : %2.</translation>
+        <translation>« %1 » a été laissé de côté : %2.</translation>
     </message>
     <message>
         <source>the file holds no solid and no surface; export the part as a solid.</source>
@@ -3007,7 +3038,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>&quot;%1&quot; has no triangles.</source>
-        <translation>&quot;%1&quot; n&apos;a pas de triangles.</translation>
+        <translation>« %1 » n&apos;a pas de triangles.</translation>
     </message>
     <message>
         <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
@@ -3372,19 +3403,19 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Load &quot;%1&quot; acts on nothing.</source>
-        <translation>La charge &quot;%1&quot; n&apos;agit sur rien.</translation>
+        <translation>La charge « %1 » n&apos;agit sur rien.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; names an object that does not exist.</source>
-        <translation>La charge &quot;%1&quot; nomme un objet qui n&apos;existe pas.</translation>
+        <translation>La charge « %1 » nomme un objet qui n&apos;existe pas.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; has an area that is no number.</source>
-        <translation>La charge &quot;%1&quot; a une aire qui n&apos;est pas un nombre.</translation>
+        <translation>La charge « %1 » a une aire qui n&apos;est pas un nombre.</translation>
     </message>
     <message>
         <source>Load &quot;%1&quot; names a body that does not exist.</source>
-        <translation>La charge &quot;%1&quot; nomme un corps qui n&apos;existe pas.</translation>
+        <translation>La charge « %1 » nomme un corps qui n&apos;existe pas.</translation>
     </message>
     <message>
         <source>There is no load number %1.</source>
@@ -3494,7 +3525,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Only a part to which nothing was done yet is pressed like this.</source>
-        <translation>Seule une pièce à laquelle rien n’a encore été fait est pressée ainsi.</translation>
+        <translation>Seule une pièce à laquelle rien n&apos;a encore été fait est pressée ainsi.</translation>
     </message>
     <message>
         <source>Pause first.</source>
@@ -4267,6 +4298,54 @@ Simulé&#xa0;: %2, pas %3
         <source>Volume, mass and center of mass of a part</source>
         <translation>Volume, masse et centre de masse d&apos;une pièce</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be measured: %2</source>
+        <translation>« %1 » ne peut pas être mesuré : %2</translation>
+    </message>
+    <message>
+        <source>a place is three coordinates in mm, as 10,0,2.5; this is %1.</source>
+        <translation>un endroit se donne par trois coordonnées en mm, comme 10,0,2.5 ; ceci est %1.</translation>
+    </message>
+    <message>
+        <source>%1 lies far away from all bodies; coordinates are in mm.</source>
+        <translation>%1 est loin de tous les corps ; les coordonnées sont en mm.</translation>
+    </message>
+    <message>
+        <source>there is no body &quot;%1&quot;; there are: %2.</source>
+        <translation>il n&apos;y a pas de corps « %1 » ; il y a : %2.</translation>
+    </message>
+    <message>
+        <source>which body the face %1 is of is not clear; put its name before it, as &quot;lid&quot;:%1, or its number from 0, as #0:%1.</source>
+        <translation>on ne sait pas à quel corps appartient la face %1 ; mettez son nom devant, comme &quot;lid&quot;:%1, ou son numéro à partir de 0, comme #0:%1.</translation>
+    </message>
+    <message>
+        <source>there is no face %1; faces are numbered from 0, and meshes have none.</source>
+        <translation>il n&apos;y a pas de face %1 ; les faces sont numérotées à partir de 0, et les maillages n&apos;en ont pas.</translation>
+    </message>
+    <message>
+        <source>it begins with none of %1.</source>
+        <translation>cela ne commence par aucun de %1.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 places or faces.</source>
+        <translation>%1 demande %2 endroits ou faces.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>le projet n&apos;a pas de pièces.</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>le projet n&apos;a pas d&apos;entrée %1 ; la dernière est %2.</translation>
+    </message>
+    <message>
+        <source>this is no project: it has no entries.</source>
+        <translation>ce n&apos;est pas un projet : il n&apos;a pas d&apos;entrées.</translation>
+    </message>
+    <message>
+        <source>no part of it is closed, so there is nothing to measure.</source>
+        <translation>aucune de ses pièces n&apos;est fermée : il n&apos;y a rien à mesurer.</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementList</name>
@@ -4812,7 +4891,7 @@ Simulé&#xa0;: %2, pas %3
     <name>PressHand</name>
     <message>
         <source>%1 does not deform: make it deformable in the properties to press into it.</source>
-        <translation>%1 ne se déforme pas : le rendre déformable dans les propriétés pour l’enfoncer.</translation>
+        <translation>%1 ne se déforme pas : le rendre déformable dans les propriétés pour l&apos;enfoncer.</translation>
     </message>
     <message>
         <source>Press on %1</source>
@@ -4824,7 +4903,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>%1 is locked: unlock it in the model tree to press with it.</source>
-        <translation>%1 est verrouillé : le déverrouiller dans l’arbre du modèle pour presser avec.</translation>
+        <translation>%1 est verrouillé : le déverrouiller dans l&apos;arbre du modèle pour presser avec.</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +5930,18 @@ Simulé&#xa0;: %2, pas %3
         <source>The output folder %1 cannot be made; choose another one with --out.</source>
         <translation>Le dossier de sortie %1 ne peut pas être créé&#xa0;; choisissez-en un autre avec --out.</translation>
     </message>
+    <message>
+        <source>%1 lies far away from all bodies; its place is in mm.</source>
+        <translation>%1 est loin de tous les corps ; sa place est en mm.</translation>
+    </message>
+    <message>
+        <source>it has no probes whose readings could be written; add the key probes.</source>
+        <translation>elle n&apos;a pas de sondes dont on pourrait écrire les mesures ; ajoutez la clé probes.</translation>
+    </message>
+    <message>
+        <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
+        <translation>Les sondes de cette recette sont lues par « knead run ». Posez des sondes sur la pièce pour les lire ici.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -6265,7 +6356,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
-        <translation>&quot;%1&quot; s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
+        <translation>« %1 » s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
     </message>
     <message>
         <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
@@ -6345,7 +6436,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
-        <translation>L&apos;outil &quot;%1&quot; est à %2 mm de profondeur dans %3 : le faire commencer dehors, presser moins loin, le ralentir</translation>
+        <translation>L&apos;outil « %1 » est à %2 mm de profondeur dans %3 : le faire commencer dehors, presser moins loin, le ralentir</translation>
     </message>
     <message>
         <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
@@ -6365,7 +6456,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
-        <translation>L&apos;outil &quot;%1&quot; commence à %2 mm à l&apos;intérieur de %3, qui est repoussé avec une grande force, par pas très courts. Le faire commencer dehors.</translation>
+        <translation>L&apos;outil « %1 » commence à %2 mm à l&apos;intérieur de %3, qui est repoussé avec une grande force, par pas très courts. Le faire commencer dehors.</translation>
     </message>
 </context>
 <context>
@@ -6403,11 +6494,11 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Region &quot;%1&quot;: %2</source>
-        <translation>Région &quot;%1&quot; : %2</translation>
+        <translation>Région « %1 » : %2</translation>
     </message>
     <message>
         <source>Region &quot;%1&quot; names an object that does not exist.</source>
-        <translation>La région &quot;%1&quot; nomme un objet qui n&apos;existe pas.</translation>
+        <translation>La région « %1 » nomme un objet qui n&apos;existe pas.</translation>
     </message>
     <message>
         <source>It must not start faster than 1000 m/s or 100000 rad/s.</source>
@@ -6419,7 +6510,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Body &quot;%1&quot;: %2</source>
-        <translation>Corps &quot;%1&quot; : %2</translation>
+        <translation>Corps « %1 » : %2</translation>
     </message>
     <message>
         <source>The time step must lie between 1e-9 and 1 s.</source>
@@ -7102,7 +7193,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Forces are within 3 % of the largest. The Simulation panel says whether to keep up with real time or to be exact</source>
-        <translation>Les forces sont à 3 % de la plus grande. Le panneau Simulation dit s’il faut suivre le temps réel ou être exact</translation>
+        <translation>Les forces sont à 3 % de la plus grande. Le panneau Simulation dit s&apos;il faut suivre le temps réel ou être exact</translation>
     </message>
 </context>
 <context>
@@ -7149,27 +7240,27 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %2).</source>
-        <translation>l’entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %2).</translation>
+        <translation>l&apos;entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n&apos;a pu être lu (faces : %2).</translation>
     </message>
     <message>
         <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %2).</source>
-        <translation>l’entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %2).</translation>
+        <translation>l&apos;entité %1 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n&apos;a pu être lu (formes : %2).</translation>
     </message>
     <message>
         <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %3).</source>
-        <translation>l’entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %3).</translation>
+        <translation>l&apos;entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n&apos;a pu être lu (faces : %3).</translation>
     </message>
     <message>
         <source>the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %3).</source>
-        <translation>l’entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %3).</translation>
+        <translation>l&apos;entité %1 et %2 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n&apos;a pu être lu (formes : %3).</translation>
     </message>
     <message>
         <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
-        <translation>l’assemblage renvoie au fichier %1, qui n’est pas là : ses pièces manquent. Placez-le à côté de l’assemblage et rouvrez celui-ci.</translation>
+        <translation>l&apos;assemblage renvoie au fichier %1, qui n&apos;est pas là : ses pièces manquent. Placez-le à côté de l&apos;assemblage et rouvrez celui-ci.</translation>
     </message>
     <message>
         <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
-        <translation>l’assemblage renvoie à %1 fichiers qui ne sont pas là : %2. Leurs pièces manquent ; placez-les à côté de l’assemblage et rouvrez celui-ci.</translation>
+        <translation>l&apos;assemblage renvoie à %1 fichiers qui ne sont pas là : %2. Leurs pièces manquent ; placez-les à côté de l&apos;assemblage et rouvrez celui-ci.</translation>
     </message>
     <message>
         <source>the file holds triangles only (tessellated geometry of AP242), which are not read from STEP; export exact solids, or a mesh as 3MF or STL.</source>
@@ -7318,7 +7409,7 @@ Simulé&#xa0;: %2, pas %3
     <name>Tool</name>
     <message>
         <source>Tool &quot;%1&quot;: %2</source>
-        <translation>Outil &quot;%1&quot; : %2</translation>
+        <translation>Outil « %1 » : %2</translation>
     </message>
     <message>
         <source>each edge must be between 0.001 mm and 1000 m long.</source>
@@ -7477,7 +7568,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>The tool turns as it is moved over material, so that it does not rub it</source>
-        <translation>L’outil tourne quand il se déplace sur la matière et ne la frotte donc pas</translation>
+        <translation>L&apos;outil tourne quand il se déplace sur la matière et ne la frotte donc pas</translation>
     </message>
 </context>
 <context>
@@ -7755,7 +7846,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Tool bar</source>
-        <translation>Barre d’outils</translation>
+        <translation>Barre d&apos;outils</translation>
     </message>
     <message>
         <source>Measure the part</source>

@@ -495,7 +495,7 @@
     </message>
     <message>
         <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
-        <translation>Een lichaam kan vrij bewegen: houd het vast, of laat de tijd lopen (dynamic) tot het ergens op rust.</translation>
+        <translation>Een lichaam kan vrij bewegen: houd het vast, of laat de tijd lopen tot het ergens op rust.</translation>
     </message>
     <message>
         <source>A load step takes more than 0 and up to 3600 s.</source>
@@ -503,11 +503,11 @@
     </message>
     <message>
         <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
-        <translation>%1 is star en kan vrij bewegen: houd het vast, maak het vervormbaar, of laat de tijd lopen (dynamic).</translation>
+        <translation>%1 is star en kan vrij bewegen: houd het vast, maak het vervormbaar, of laat de tijd lopen.</translation>
     </message>
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
-        <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen (dynamic).</translation>
+        <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen.</translation>
     </message>
 </context>
 <context>
@@ -583,6 +583,21 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Niets heet zo: probeer minder letters.</translation>
+    </message>
+</context>
+<context>
+    <name>Comparison</name>
+    <message>
+        <source>One of the files has no closed part: there is nothing to compare.</source>
+        <translation>Een van de bestanden heeft geen gesloten onderdeel: er is niets te vergelijken.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; of the original belongs to no closed part of the other file.</source>
+        <translation>Bij &quot;%1&quot; van het origineel hoort geen gesloten onderdeel van het andere bestand.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to no closed part of the original.</source>
+        <translation>&quot;%1&quot; hoort bij geen gesloten onderdeel van het origineel.</translation>
     </message>
 </context>
 <context>
@@ -700,6 +715,18 @@
     <message>
         <source>Measurements</source>
         <translation>Metingen</translation>
+    </message>
+    <message>
+        <source>%1 beside %2</source>
+        <translation>%1 naast %2</translation>
+    </message>
+    <message>
+        <source>Written by Knead on %1.</source>
+        <translation>Geschreven door Knead op %1.</translation>
+    </message>
+    <message>
+        <source>Distances are those of each surface from the nearest point of the other, the larger of both; the mean is by area.</source>
+        <translation>Afstanden zijn die van elk oppervlak tot het dichtstbijzijnde punt van het andere, de grootste van beide; het gemiddelde is naar oppervlakte.</translation>
     </message>
 </context>
 <context>
@@ -950,7 +977,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
-        <translation>„%1” is een net zonder CAD-vlakken: open het als STEP, IGES of BREP om vlakken vast te zetten.</translation>
+        <translation>&quot;%1&quot; is een net zonder CAD-vlakken: open het als STEP, IGES of BREP om vlakken vast te zetten.</translation>
     </message>
     <message>
         <source>Fix face</source>
@@ -1006,11 +1033,11 @@
     </message>
     <message>
         <source>Something is called &quot;%1&quot; already: choose another name.</source>
-        <translation>Er heet al iets „%1”: kies een andere naam.</translation>
+        <translation>Er heet al iets &quot;%1&quot;: kies een andere naam.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is locked in the model tree: unlock it there to change it.</source>
-        <translation>„%1” is vergrendeld in de modelboom: ontgrendel het daar om het te wijzigen.</translation>
+        <translation>&quot;%1&quot; is vergrendeld in de modelboom: ontgrendel het daar om het te wijzigen.</translation>
     </message>
     <message>
         <source>Fix selection</source>
@@ -1034,7 +1061,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
-        <translation>„%1” benoemt randen of verbindingen van een andere vulling: ga daar met Ongedaan maken naar terug, of kies ze opnieuw en sla ze onder deze naam op.</translation>
+        <translation>&quot;%1&quot; benoemt randen of verbindingen van een andere vulling: ga daar met Ongedaan maken naar terug, of kies ze opnieuw en sla ze onder deze naam op.</translation>
     </message>
     <message>
         <source>There is not enough memory to go to %1. Close other programs and try again.</source>
@@ -1559,7 +1586,7 @@
     </message>
     <message>
         <source>Only &quot;%1&quot;</source>
-        <translation>Alleen „%1”</translation>
+        <translation>Alleen &quot;%1&quot;</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -1789,6 +1816,10 @@
     <message>
         <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
         <translation>%1: de map voor tijdelijke bestanden neemt niets meer op (%2); maak daar ruimte of zet TMPDIR op een andere map.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 en %2</translation>
     </message>
 </context>
 <context>
@@ -4043,7 +4074,7 @@ Gesimuleerd: %2, stap %3
     </message>
     <message>
         <source>There is a material named &quot;%1&quot; already: choose another name.</source>
-        <translation>Er is al een materiaal met de naam „%1”: kies een andere naam.</translation>
+        <translation>Er is al een materiaal met de naam &quot;%1&quot;: kies een andere naam.</translation>
     </message>
     <message>
         <source>Saved by you</source>
@@ -4267,6 +4298,54 @@ Gesimuleerd: %2, stap %3
         <source>Volume, mass and center of mass of a part</source>
         <translation>Volume, massa en massamiddelpunt van een onderdeel</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be measured: %2</source>
+        <translation>&quot;%1&quot; kan niet worden gemeten: %2</translation>
+    </message>
+    <message>
+        <source>a place is three coordinates in mm, as 10,0,2.5; this is %1.</source>
+        <translation>een plaats is drie coördinaten in mm, zoals 10,0,2.5; dit is %1.</translation>
+    </message>
+    <message>
+        <source>%1 lies far away from all bodies; coordinates are in mm.</source>
+        <translation>%1 ligt ver van alle lichamen; coördinaten zijn in mm.</translation>
+    </message>
+    <message>
+        <source>there is no body &quot;%1&quot;; there are: %2.</source>
+        <translation>er is geen lichaam &quot;%1&quot;; er zijn: %2.</translation>
+    </message>
+    <message>
+        <source>which body the face %1 is of is not clear; put its name before it, as &quot;lid&quot;:%1, or its number from 0, as #0:%1.</source>
+        <translation>het is niet duidelijk van welk lichaam vlak %1 is; zet de naam ervoor, zoals &quot;lid&quot;:%1, of het nummer vanaf 0, zoals #0:%1.</translation>
+    </message>
+    <message>
+        <source>there is no face %1; faces are numbered from 0, and meshes have none.</source>
+        <translation>er is geen vlak %1; vlakken worden geteld vanaf 0, en netten hebben er geen.</translation>
+    </message>
+    <message>
+        <source>it begins with none of %1.</source>
+        <translation>het begint met geen van %1.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 places or faces.</source>
+        <translation>%1 vraagt %2 plaatsen of vlakken.</translation>
+    </message>
+    <message>
+        <source>the project has no parts.</source>
+        <translation>het project heeft geen onderdelen.</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>het project heeft geen stap %1; de laatste is %2.</translation>
+    </message>
+    <message>
+        <source>this is no project: it has no entries.</source>
+        <translation>dit is geen project: het heeft geen stappen.</translation>
+    </message>
+    <message>
+        <source>no part of it is closed, so there is nothing to measure.</source>
+        <translation>geen onderdeel ervan is gesloten, dus er is niets te meten.</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementList</name>
@@ -4415,7 +4494,7 @@ Gesimuleerd: %2, stap %3
     </message>
     <message>
         <source>There is a selection called &quot;%1&quot; already: choose another name.</source>
-        <translation>Er is al een selectie met de naam „%1”: kies een andere naam.</translation>
+        <translation>Er is al een selectie met de naam &quot;%1&quot;: kies een andere naam.</translation>
     </message>
     <message>
         <source>Color of the part</source>
@@ -5247,11 +5326,11 @@ Gesimuleerd: %2, stap %3
     </message>
     <message>
         <source>Save the work on &quot;%1&quot; as a project?</source>
-        <translation>Het werk aan „%1” als project opslaan?</translation>
+        <translation>Het werk aan &quot;%1&quot; als project opslaan?</translation>
     </message>
     <message>
         <source>Save the changes to &quot;%1&quot;?</source>
-        <translation>De wijzigingen aan „%1” opslaan?</translation>
+        <translation>De wijzigingen aan &quot;%1&quot; opslaan?</translation>
     </message>
     <message>
         <source>It has never been saved.</source>
@@ -5315,7 +5394,7 @@ Gesimuleerd: %2, stap %3
     <name>QuantityField</name>
     <message>
         <source>&quot;%1&quot; is not a number here; the value is still %2. Esc restores it.</source>
-        <translation>„%1” is hier geen getal; de waarde is nog %2. Esc herstelt die.</translation>
+        <translation>&quot;%1&quot; is hier geen getal; de waarde is nog %2. Esc herstelt die.</translation>
     </message>
     <message>
         <source>Allowed is %1 to %2; the value is still %3. Esc restores it.</source>
@@ -5851,6 +5930,18 @@ Gesimuleerd: %2, stap %3
         <source>The output folder %1 cannot be made; choose another one with --out.</source>
         <translation>De uitvoermap %1 kan niet worden gemaakt; kies een andere met --out.</translation>
     </message>
+    <message>
+        <source>%1 lies far away from all bodies; its place is in mm.</source>
+        <translation>%1 ligt ver van alle lichamen; de plaats is in mm.</translation>
+    </message>
+    <message>
+        <source>it has no probes whose readings could be written; add the key probes.</source>
+        <translation>het heeft geen sondes waarvan waarden geschreven kunnen worden; voeg de sleutel probes toe.</translation>
+    </message>
+    <message>
+        <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
+        <translation>De sondes van dit recept worden door &quot;knead run&quot; gelezen. Zet sondes op het onderdeel om ze hier te lezen.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -6072,7 +6163,7 @@ Gesimuleerd: %2, stap %3
     </message>
     <message>
         <source>Discard the unsaved work on &quot;%1&quot;? It cannot be brought back.</source>
-        <translation>Het niet-opgeslagen werk aan „%1” weggooien? Het kan niet worden teruggehaald.</translation>
+        <translation>Het niet-opgeslagen werk aan &quot;%1&quot; weggooien? Het kan niet worden teruggehaald.</translation>
     </message>
 </context>
 <context>
@@ -6789,7 +6880,7 @@ Gesimuleerd: %2, stap %3
     </message>
     <message>
         <source>%1 already does &quot;%2&quot;.</source>
-        <translation>%1 doet al „%2”.</translation>
+        <translation>%1 doet al &quot;%2&quot;.</translation>
     </message>
     <message>
         <source>Take it from there</source>

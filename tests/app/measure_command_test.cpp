@@ -121,6 +121,74 @@ private slots:
         QVERIFY2(mean > 200 / 760.0 && mean < 300 / 760.0, std::to_string(mean).c_str());
     }
 
+    /// Two parts of one name, 60 mm apart, each with its counterpart; and what has none is said.
+    void partsArePairedOnce()
+    {
+        const auto write = [&](const char* name, int parts) {
+            std::ofstream file(m_shop.path(name));
+            for (int part = 0; part < parts; ++part) {
+                const double x = 60.0 * part;
+                file << "o bolt\n";
+                for (const double z : {0.0, 5.0})
+                    for (const double y : {0.0, 10.0})
+                        for (const double dx : {0.0, 20.0})
+                            file << "v " << x + dx << ' ' << y << ' ' << z << '\n';
+                const int first = 8 * part;
+                for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{1, 3, 4},
+                                                                             {1, 4, 2},
+                                                                             {5, 6, 8},
+                                                                             {5, 8, 7},
+                                                                             {1, 2, 6},
+                                                                             {1, 6, 5},
+                                                                             {3, 7, 8},
+                                                                             {3, 8, 4},
+                                                                             {1, 5, 7},
+                                                                             {1, 7, 3},
+                                                                             {2, 4, 8},
+                                                                             {2, 8, 6}})
+                    file << "f " << first + a << ' ' << first + b << ' ' << first + c << '\n';
+            }
+        };
+        write("two.obj", 2);
+        write("three.obj", 3);
+        const Outcome same = workshop::knead({"compare", m_shop.qPath("two.obj"), m_shop.qPath("two.obj"), "--json"});
+        QVERIFY2(same.status == 0, same.errors.c_str());
+        const json bodies = json::parse(same.out).at("bodies");
+        QCOMPARE(bodies.size(), std::size_t{2});
+        for (const json& body : bodies)
+            QVERIFY(body.at("largest_distance_mm").get<double>() < 1e-9);
+        const Outcome more = workshop::knead({"compare", m_shop.qPath("two.obj"), m_shop.qPath("three.obj"), "--json"});
+        QVERIFY2(more.status == 0, more.errors.c_str());
+        QCOMPARE(json::parse(more.out).at("only_in_changed").size(), std::size_t{1});
+        QVERIFY2(more.errors.find("belongs to no closed part of the original") != std::string::npos,
+                 more.errors.c_str());
+
+        // The second body of a name is called "bolt 2".
+        const QString file = m_shop.qPath("two.obj");
+        const Outcome angle = workshop::knead({"measure", file, "--json", "-m", "distance 0,0,0 60,0,0"});
+        QVERIFY2(angle.status == 0, angle.errors.c_str());
+        QVERIFY(std::abs(measured(json::parse(angle.out), "distance 0,0,0 60,0,0", "Distance").at("now").get<double>() -
+                         60) < 1e-9);
+        const Outcome unclear = workshop::knead({"measure", file, "-m", "face-radius 1"});
+        QCOMPARE(unclear.status, 2);
+        QVERIFY2(unclear.errors.find("#0:1") != std::string::npos, unclear.errors.c_str());
+        const Outcome far = workshop::knead({"measure", file, "-m", "point 0,0,900"});
+        QCOMPARE(far.status, 2);
+        QVERIFY2(far.errors.find("lies far away") != std::string::npos, far.errors.c_str());
+        QCOMPARE(workshop::knead({"measure", file, "-m", "point 0,nan,0"}).status, 2);
+    }
+
+    void bodiesAreNamedWithBlanks()
+    {
+        const QString bracket = KNEAD_RESOURCES "/examples/bracket.step";
+        for (const char* face : {"face-radius \"Bushing\":0", "face-radius #1:0"}) {
+            const Outcome outcome = workshop::knead({"measure", bracket, "-m", face});
+            QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+        }
+        QCOMPARE(workshop::knead({"measure", bracket, "-m", "face-radius \"Bushing 2\":0"}).status, 2);
+        QCOMPARE(workshop::knead({"compare", bracket, bracket, "--entry", "1"}).status, 2);
+    }
+
     void probesOfARecipeAreRead()
     {
         write("probed.recipe.json",
@@ -146,11 +214,16 @@ private slots:
         int rows = 0;
         for (std::string line; std::getline(file, line);)
             ++rows;
-        QVERIFY2(rows >= 11, std::to_string(rows).c_str()); // one per 1/60 s
+        QVERIFY2(rows >= 12, std::to_string(rows).c_str()); // one per 1/60 s, and the start
     }
 
     void aProbeOfNothingIsRefused()
     {
+        write("none.recipe.json", R"({"version": 1, "part": {"file": "BAR"}, "objects": 300, "duration_s": 0.01})");
+        const Outcome none = workshop::knead({"run", m_shop.qPath("none.recipe.json"), "--out", m_shop.qPath("out"),
+                                              "--probes", m_shop.qPath("none.csv")});
+        QCOMPARE(none.status, 2);
+        QVERIFY(!QFile::exists(m_shop.qPath("none.csv")));
         write("lost.recipe.json", R"({"version": 1, "part": {"file": "BAR"}, "objects": 300,
             "probes": [{"name": "tip", "body": "lid", "place_mm": [0, 0, 0]}], "duration_s": 0.01})");
         const Outcome outcome =

@@ -1,7 +1,7 @@
 #include "core/session/comparison.h"
-#include "ui/measuring/measurement_words.h"
 #include "support/window_on_test.h"
 #include "ui/dialogs/comparison_dialog.h"
+#include "ui/measuring/measurement_words.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/probe_panel.h"

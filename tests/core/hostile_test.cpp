@@ -46,7 +46,7 @@ public:
     Manipulator tool(double reach)
     {
         Manipulator tool;
-        tool.kind = toolKinds[std::uniform_int_distribution<std::size_t>(0, 4)(m_random)];
+        tool.kind = toolKinds[std::uniform_int_distribution<std::size_t>(0, std::size(toolKinds) - 2)(m_random)];
         tool.size = fittingSize(tool.kind, {over(1e-3, 0.02), over(1e-3, 0.02), over(1e-3, 0.02)});
         tool.pose = {vector(reach), turn()};
         tool.friction = between(0, 2);

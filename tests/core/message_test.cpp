@@ -39,6 +39,15 @@ private slots:
         QVERIFY(Message::sequence({}).empty());
     }
 
+    /// Of a file that somebody made to do harm.
+    void whatGrowsWithoutEndIsCutOff()
+    {
+        Message grown = Message::verbatim(std::string(100, 'a'));
+        for (int i = 0; i < 8; ++i)
+            grown = Message("File", "%1%1%1%1%1%1%1%1%1%1").with(grown);
+        QVERIFY(grown.english().size() < 200'000);
+    }
+
     void problemsCarryTheirMessage()
     {
         const Message message = Message("Filling", "%1 is too thin.").with("plate");

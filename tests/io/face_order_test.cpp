@@ -46,9 +46,9 @@ double volumeAsRead(const ExportedFile& file)
 PartToExport pressed(const Model& model)
 {
     const Part& part = model.parts.front();
-    const FirstPress press = firstPress(model);
     PartToExport out{.part = part};
     const double spacing = automaticSpacing(fillingSizes(model, partsToFill(model, false), {}, TaskControl::none()));
+    const FirstPress press = firstPress(model, spacing);
     out.aggregate = fillPart(part, spacing, Arrangement::cutCells, TaskControl::none());
     Material rubber;
     rubber.density = 1100;

@@ -1,3 +1,5 @@
+#include "core/mechanics/tool_shape.h"
+#include "core/model/file_formats.h"
 #include "support/recipe_texts.h"
 
 #include <QtTest>
@@ -91,7 +93,8 @@ std::vector<json> fullRecipes()
         "bodies": {"lid": {"kind": "rigid", "velocity_mm_s": [0, 0, 1], "angular_velocity_deg_s": [0, 0, 1]}},
         "touching": "glued", "structural_friction": 1, "gravity_m_s2": [0, 0, -9.8],
         "fixtures": [{"name": "end", "body": "lid", "box_mm": [0, 0, 0, 1, 1, 1], "moment_center_mm": [1, 2, 3]}],
-        "loads": [{"name": "wind", "box_mm": [0, 0, 0, 1, 1, 1], "pressure_pa": 100}], "analysis": "dynamic",
+        "loads": [{"name": "wind", "box_mm": [0, 0, 0, 1, 1, 1], "pressure_pa": 100}],
+        "probes": [{"name": "tip", "body": "lid", "place_mm": [1, 2, 3]}], "analysis": "dynamic",
         "manipulators": [{"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0], "rotation_deg": [1, 2, 3],
                           "friction": 1, "speed_limit_mm_s": 1e9, "force_limit_n": 5,
                           "keyframes": [{"time_s": 1, "position_mm": [1, 2, 3], "rotation_deg": [1, 2, 3]}]},
@@ -164,6 +167,7 @@ const std::vector<std::pair<std::string, std::string>>& objects()
         {"/$defs/keyframe", "/manipulators/0/keyframes/0"},
         {"/$defs/turn", "~/fixtures/0/turn"},
         {"/$defs/load", "/loads/0"},
+        {"/$defs/probe", "/probes/0"},
         {"/$defs/changeOfLoad", "~/events/8/change_load"},
         {"/$defs/pose", "~/events/10/add_manipulator/motion/go_to"},
         {"/$defs/frame", "~/events/14/move_manipulator/keyframes/1"},
@@ -206,6 +210,11 @@ std::vector<json> otherValues()
         "../a.stl", "/a.stl", "a.Png", "a.xyz", -1e7, -1, 0, 1e-10, 0.3, 1, 2.5, 15, 2000, 4e3, 1e6, 2e12, [], {}, [0, 0, 0],
         [1, 2], [1, 2, 3], [1, 2, "3"], [1, 2, 1e7], [0, 0, 0, 1, 1, 1], [-1], [0.5], {"preset": "clay"},
         {"file": "bar.stl"}, {"name": "x", "faces": [1]}])");
+    for (const ToolKind kind : toolKinds)
+        values.emplace_back(nameOf(kind));
+    for (const FileFormat& format : fileFormats)
+        for (const std::string& ending : format.endings)
+            values.push_back("a." + ending);
     return values;
 }
 
@@ -329,6 +338,11 @@ void RecipeSchemaTest::keysAreDocumented()
             QVERIFY2(m_readme.find("`" + key + "`") != std::string::npos ||
                          m_readme.find("\"" + key + "\"") != std::string::npos,
                      key.c_str());
+    for (const ToolKind kind : toolKinds)
+        QVERIFY(m_readme.find("\"" + std::string(nameOf(kind)) + "\"") != std::string::npos);
+    for (const FileFormat& format : fileFormats)
+        for (const std::string& ending : format.endings)
+            QVERIFY2(m_readme.find("." + ending) != std::string::npos, ending.c_str());
 }
 
 void RecipeSchemaTest::examplesFit()

@@ -49,7 +49,8 @@ private slots:
     /// Equal steps along the map are equal steps of lightness, within what ten places of a table can do.
     void lightnessRisesEvenly()
     {
-        for (const ColorMap map : {ColorMap::viridis, ColorMap::cividis, ColorMap::gray}) {
+        for (const ColorMapChoice& choice : colorMapChoices()) {
+            const ColorMap map = choice.map;
             const double low = lightness(colorAt(map, 0));
             const double high = lightness(colorAt(map, 1));
             QVERIFY(high - low > 70);

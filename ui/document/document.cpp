@@ -464,13 +464,12 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
     std::vector<std::size_t> partOfBody;
     for (const auto& body : m_content->bodies)
         partOfBody.push_back(body->part);
-    ExportJob job = exportJobOf(model, partOfBody, *m_frame->snapshot);
+    ExportJob job = exportJobOf(model, partOfBody, *m_frame->snapshot, keep);
     job.tree = prunedTree(m_appearance.dressed(model.tree), keep);
+    std::size_t kept = 0;
     for (std::size_t p = 0; p < model.parts.size(); ++p)
         if (keep[p])
-            job.parts[p].part = m_appearance.dressed(model, p);
-    std::size_t p = 0;
-    std::erase_if(job.parts, [&](const PartToExport&) { return !keep[p++]; });
+            m_appearance.dress(job.parts[kept++].part, p);
     return job;
 }
 

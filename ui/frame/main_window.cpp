@@ -98,6 +98,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
 MainWindow::~MainWindow()
 {
     hide();
+    m_tasks.stop();
     delete m_features->preferences; // its dialog asks for the window's actions to the end
     delete m_features->help;
     delete centralWidget();

@@ -104,19 +104,22 @@ QString htmlOf(const ComparisonReport& report)
     QString text = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + report.part.toHtmlEscaped() +
                    "</title><style>body { font-family: sans-serif; color: #1d2126; } table { border-collapse: "
                    "collapse; } th { background-color: #e9ecef; }</style></head><body>";
-    text += "<h2>" + ReportWords::tr("%1 beside its original").arg(report.part).toHtmlEscaped() + "</h2>";
-    text += "<p>" +
-            ReportWords::tr("At %1 of simulated time. Written by Knead on %2.")
-                .arg(formatReading(report.comparison.time, Quantity::Time),
-                     QLocale().toString(report.when, QLocale::ShortFormat))
-                .toHtmlEscaped() +
-            "</p>";
+    const bool isOfFiles = !report.original.isEmpty();
+    const QString title = isOfFiles ? ReportWords::tr("%1 beside %2").arg(report.part, report.original)
+                                    : ReportWords::tr("%1 beside its original").arg(report.part);
+    const QString when = QLocale().toString(report.when, QLocale::ShortFormat);
+    const QString origin = isOfFiles ? ReportWords::tr("Written by Knead on %1.").arg(when)
+                                     : ReportWords::tr("At %1 of simulated time. Written by Knead on %2.")
+                                           .arg(formatReading(report.comparison.time, Quantity::Time), when);
+    text += "<h2>" + title.toHtmlEscaped() + "</h2><p>" + origin.toHtmlEscaped() + "</p>";
     text += pictureOf(report.picture) + tableOf(report.comparison);
     text +=
         "<p><small>" +
-        ReportWords::tr(
-            "Distances are those of the deformed skin from the nearest point of the original surface; the mean is by "
-            "area. A displacement is the way of a point of the skin since rest.")
+        (isOfFiles ? ReportWords::tr("Distances are those of each surface from the nearest point of the other, the "
+                                     "larger of both; the mean is by area.")
+                   : ReportWords::tr("Distances are those of the deformed skin from the nearest point of the original "
+                                     "surface; the mean is by area. A displacement is the way of a point of the skin "
+                                     "since rest."))
             .toHtmlEscaped() +
         "</small></p>";
     if (!report.measurements.isEmpty())

@@ -11,7 +11,8 @@ namespace knead {
 
 /// A report of a comparison, with what was measured beside it.
 struct ComparisonReport {
-    QString part; ///< file name of what is compared
+    QString part;          ///< file name of what is compared
+    QString original = {}; ///< of another file that it is compared with; empty: with itself at rest
     QDateTime when;
     Comparison comparison;
     QImage picture;       ///< of the view; may be null

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/document/document.h"
 #include "core/session/measurement.h"
+#include "ui/document/document.h"
 
 #include <QObject>
 

@@ -20,6 +20,8 @@ namespace knead {
 
 namespace {
 
+constexpr double shortestTime = 0.1; // that the axis shows [s]
+
 constexpr int pace = 120;                         // between two looks [ms]
 constexpr int restPerLook = 6;                    // times as long as a look takes, the window does something else
 constexpr std::uint64_t fixtureIds = 1ULL << 32U; // of their lines, beyond those of tools
@@ -102,7 +104,7 @@ void ForcePanel::plot(ForceRecord record)
         lines.push_back(std::move(line));
     }
     m_plot->setHint(tr("Add a tool and press Space: forces over time appear here."));
-    m_plot->show(std::move(lines), Quantity::Force, tr("Force"));
+    m_plot->show(std::move(lines), Quantity::Force, tr("Force"), PlotRange{0, std::max(m_record.end, shortestTime)});
 }
 
 /// Leaves the window most of its time, however long the timeline is.

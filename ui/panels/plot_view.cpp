@@ -27,15 +27,32 @@ bool hasPoints(const std::vector<PlotLine>& all)
     return std::any_of(all.begin(), all.end(), [](const PlotLine& line) { return !line.points.empty(); });
 }
 
-/// The last value at or before x; none where the line has not begun or is interrupted.
-std::optional<double> valueAt(const PlotLine& line, double x)
+/// What an axis goes to where there is nothing but 0, SI.
+double smallOf(Quantity quantity)
 {
-    auto next = std::upper_bound(line.points.begin(), line.points.end(), x,
-                                 [](double at, const QPointF& point) { return at < point.x(); });
-    if (next == line.points.begin())
-        return std::nullopt;
-    const double value = (--next)->y();
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    switch (quantity) {
+    case Quantity::Length:
+        return 1e-3;
+    case Quantity::Pressure:
+        return 1e3;
+    case Quantity::Strain:
+        return 0.01;
+    default:
+        return 1;
+    }
+}
+
+/// The sample nearest to x; none where the line has not begun or is interrupted.
+std::optional<QPointF> sampleAt(const PlotLine& line, double x)
+{
+    auto next = std::lower_bound(line.points.begin(), line.points.end(), x,
+                                 [](const QPointF& point, double at) { return point.x() < at; });
+    if (next == line.points.end() || (next != line.points.begin() && x - std::prev(next)->x() < next->x() - x)) {
+        if (next == line.points.begin())
+            return std::nullopt;
+        --next;
+    }
+    return std::isfinite(next->y()) ? std::optional(*next) : std::nullopt;
 }
 
 } // namespace
@@ -58,8 +75,10 @@ QSize PlotView::minimumSizeHint() const
     return {220, 90};
 }
 
-void PlotView::show(std::vector<PlotLine> lines, Quantity quantity, const QString& title)
+void PlotView::show(std::vector<PlotLine> lines, Quantity quantity, const QString& title,
+                    const std::optional<PlotRange>& least)
 {
+    m_least = least;
     m_lines = std::move(lines);
     m_quantity = quantity;
     m_title = title;
@@ -88,10 +107,14 @@ void PlotView::fitAxes()
                 highest = std::max(highest, point.y());
             }
         }
+    if (m_least) {
+        first = std::min(first, m_least->begin);
+        last = std::max(last, m_least->end);
+    }
     first = std::min(first, last);
     last = std::max(last, first + shortestTime);
     if (lowest == highest)
-        highest = 1; // all of it is 0
+        highest = smallOf(m_quantity); // all of it is 0
     m_x = PlotAxis::between(first, last, area().width() / labelSpacing);
     m_y = PlotAxis::around(lowest, highest, area().height() / rowSpacing);
 }
@@ -162,7 +185,7 @@ void PlotView::paintLines(QPainter& painter) const
         QPolygonF whole;
         const auto finish = [&] { strokeInPieces(painter, thinned(std::exchange(whole, {}))); };
         for (const QPointF& point : line.points)
-            if (std::isfinite(point.y()))
+            if (std::isfinite(point.x()) && std::isfinite(point.y()))
                 whole << placeOf(point);
             else
                 finish();
@@ -196,9 +219,8 @@ void PlotView::paintLegend(QPainter& painter) const
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const double x = legendArea(i).left();
         painter.setOpacity(isHidden(m_lines[i]) ? 0.4 : 1);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(m_lines[i].color);
-        painter.drawRoundedRect(QRectF(x, top - 17, 10, 10), 2, 2);
+        painter.setPen(QPen(m_lines[i].color, 3, m_lines[i].style, Qt::FlatCap));
+        painter.drawLine(QPointF(x, top - 12), QPointF(x + 12, top - 12));
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QPointF(x + 15, top - 8), m_lines[i].name);
     }
@@ -214,14 +236,17 @@ void PlotView::paintCursor(QPainter& painter) const
     const double x = m_x.begin + (*m_cursor - box.left()) / box.width() * (m_x.end - m_x.begin);
     painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
     painter.drawLine(QPointF(*m_cursor, box.top()), QPointF(*m_cursor, box.bottom()));
-    QStringList rows{formatReading(x, Quantity::Time)};
+    QStringList rows;
+    double time = x;
     for (const PlotLine& line : m_lines)
-        if (const auto value = valueAt(line, x); value && !isHidden(line)) {
-            rows << QStringLiteral("%1: %2").arg(line.name, formatReading(*value, m_quantity));
+        if (const auto sample = sampleAt(line, x); sample && !isHidden(line)) {
+            time = sample->x();
+            rows << QStringLiteral("%1: %2").arg(line.name, formatReading(sample->y(), m_quantity));
             painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
             painter.setBrush(line.color);
-            painter.drawEllipse(placeOf({x, *value}), 4, 4);
+            painter.drawEllipse(placeOf(*sample), 4, 4);
         }
+    rows.prepend(formatReading(time, Quantity::Time));
     const QString text = rows.join('\n');
     QRectF label = painter.boundingRect(QRectF(0, 0, 400, 400), Qt::AlignLeft, text).adjusted(-6, -4, 6, 4);
     label.moveTop(box.top() + 4);

@@ -26,6 +26,12 @@ struct PlotLine {
     Qt::PenStyle style = Qt::SolidLine;
 };
 
+/// Along the x axis, SI.
+struct PlotRange {
+    double begin = 0;
+    double end = 0;
+};
+
 /// Draws lines over time with axes, units and a legend, in the colors of the theme. Under the mouse it says the values there; a
 /// click on a name hides its line.
 class PlotView final : public QWidget {
@@ -35,7 +41,9 @@ public:
 
     /// @param quantity of the y axis
     /// @param title of the y axis, without unit
-    void show(std::vector<PlotLine> lines, Quantity quantity, const QString& title);
+    /// @param least that is shown, whatever the lines are
+    void show(std::vector<PlotLine> lines, Quantity quantity, const QString& title,
+              const std::optional<PlotRange>& least = {});
     /// What is said instead while there is nothing to draw.
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
@@ -67,6 +75,7 @@ private:
     Quantity m_quantity = Quantity::Number;
     QString m_title;
     QString m_hint;
+    std::optional<PlotRange> m_least;
     PlotAxis m_x;
     PlotAxis m_y;
     std::set<std::uint64_t> m_hidden; ///< ids of lines

@@ -84,10 +84,17 @@ TaskRunner::TaskRunner(QObject* parent)
 
 TaskRunner::~TaskRunner()
 {
+    stop();
+}
+
+void TaskRunner::stop()
+{
+    m_timer->stop();
     if (m_task)
         m_abandoned.push_back(std::move(m_task));
     for (const auto& task : m_abandoned) // all at once, before the first is waited for
         task->stopping = true;
+    m_abandoned.clear();
 }
 
 QString TaskRunner::title() const
@@ -99,6 +106,7 @@ bool TaskRunner::start(const QString& title, std::function<void(TaskControl&)> w
 {
     if (m_task)
         return false;
+    forgetEnded();
     m_task = std::make_shared<Task>();
     m_task->title = title;
     m_task->work = std::move(work);
@@ -115,11 +123,17 @@ void TaskRunner::cancel()
         return;
     m_task->stopping = true;
     const QString title = m_task->title;
-    std::erase_if(m_abandoned, [](const auto& task) { return task->done.load(); });
+    m_task->finish = nullptr; // with the result
+    forgetEnded();
     m_abandoned.push_back(m_task);
     end();
     emit cancelled(title);
     emit finished();
+}
+
+void TaskRunner::forgetEnded()
+{
+    std::erase_if(m_abandoned, [](const auto& task) { return task->done.load(); });
 }
 
 void TaskRunner::poll()

@@ -21,7 +21,7 @@ class TaskRunner final : public QObject {
     Q_OBJECT
 public:
     explicit TaskRunner(QObject* parent = nullptr);
-    /// Cancels, and waits until the threads have noticed: none outlives what it uses.
+    /// As stop().
     ~TaskRunner() override;
 
     bool isRunning() const { return m_task != nullptr; }
@@ -41,6 +41,9 @@ public:
 
     void cancel();
 
+    /// Tells all tasks to stop and waits for their threads: before what they use goes. Nothing is emitted.
+    void stop();
+
 signals:
     void started(const QString& title);
     void progressed(double fraction, const QString& stage);
@@ -53,6 +56,7 @@ private:
 
     bool start(const QString& title, std::function<void(TaskControl&)> work, std::function<void()> finish);
     void poll();
+    void forgetEnded();
     void end();
 
     std::shared_ptr<Task> m_task;

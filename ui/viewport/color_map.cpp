@@ -1,6 +1,7 @@
 #include "ui/viewport/color_map.h"
 
 #include <QtGlobal>
+#include <map>
 
 #include <algorithm>
 #include <cmath>
@@ -78,9 +79,13 @@ Color colorAt(ColorMap map, double share)
 
 const ColorTable& colorTable(ColorMap map)
 {
-    static const std::array<ColorTable, 4> tables{tableOf(ColorMap::viridis), tableOf(ColorMap::cividis),
-                                                  tableOf(ColorMap::gray), tableOf(ColorMap::diverging)};
-    return tables[static_cast<std::size_t>(map)];
+    static const auto tables = [] {
+        std::map<ColorMap, ColorTable> all{{ColorMap::diverging, tableOf(ColorMap::diverging)}};
+        for (const ColorMapChoice& choice : choices)
+            all.emplace(choice.map, tableOf(choice.map));
+        return all;
+    }();
+    return tables.at(map);
 }
 
 } // namespace knead
