@@ -6,12 +6,12 @@ namespace knead {
 
 namespace {
 
-constexpr double reached = 1e-9; // [m], and of components of the rotation
+constexpr double poseTolerance = 1e-9; // [m], and of components of the rotation
 
 bool isThere(const ToolState& tool, const Pose& goal)
 {
-    return (tool.pose.position - goal.position).norm() < reached &&
-           tool.pose.rotation.angularDistance(goal.rotation) < reached;
+    return (tool.pose.position - goal.position).norm() < poseTolerance &&
+           tool.pose.rotation.angularDistance(goal.rotation) < poseTolerance;
 }
 
 } // namespace
