@@ -412,8 +412,11 @@ FilePreview previewFromBytes(std::string_view bytes)
 
 std::string failureToBytes(const Message& sentence)
 {
-    // The name of a file need not be UTF-8.
-    return std::string(failureMark) + toJson(sentence).dump(-1, ' ', false, Json::error_handler_t::replace);
+    try {
+        return std::string(failureMark) + toJson(sentence).dump();
+    } catch (const Json::type_error&) { // the name of a file need not be UTF-8
+        return std::string(failureMark) + sentence.english();
+    }
 }
 
 Message failureIn(std::string_view bytes)

@@ -12,7 +12,7 @@ using namespace workshop;
 
 namespace {
 
-constexpr const char* bar = KNEAD_RESOURCES "/examples/bar.step"; // 100 x 20 x 20 mm, with a hole
+constexpr const char* bar = KNEAD_RESOURCES "/examples/bar.step"; // 160 x 20 x 20 mm
 
 const json& measured(const json& report, const std::string& of, const std::string& reading)
 {
@@ -31,11 +31,7 @@ class MeasureCommandTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        Project project = pressedPart(bar, 0.004);
-        writeProject(m_shop.path("bar.knead"), project);
-    }
+    void initTestCase() { writeProject(m_shop.path("bar.knead"), packed(pressedPart(bar, 0.004))); }
 
     void filesAreMeasuredAsTheyAre()
     {
@@ -121,61 +117,20 @@ private slots:
         QVERIFY2(mean > 200 / 760.0 && mean < 300 / 760.0, std::to_string(mean).c_str());
     }
 
-    /// Two parts of one name, 60 mm apart, each with its counterpart; and what has none is said.
-    void partsArePairedOnce()
+    void anAssemblyIsAsFarFromItselfAsNothing()
     {
-        const auto write = [&](const char* name, int parts) {
-            std::ofstream file(m_shop.path(name));
-            for (int part = 0; part < parts; ++part) {
-                const double x = 60.0 * part;
-                file << "o bolt\n";
-                for (const double z : {0.0, 5.0})
-                    for (const double y : {0.0, 10.0})
-                        for (const double dx : {0.0, 20.0})
-                            file << "v " << x + dx << ' ' << y << ' ' << z << '\n';
-                const int first = 8 * part;
-                for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{1, 3, 4},
-                                                                             {1, 4, 2},
-                                                                             {5, 6, 8},
-                                                                             {5, 8, 7},
-                                                                             {1, 2, 6},
-                                                                             {1, 6, 5},
-                                                                             {3, 7, 8},
-                                                                             {3, 8, 4},
-                                                                             {1, 5, 7},
-                                                                             {1, 7, 3},
-                                                                             {2, 4, 8},
-                                                                             {2, 8, 6}})
-                    file << "f " << first + a << ' ' << first + b << ' ' << first + c << '\n';
-            }
-        };
-        write("two.obj", 2);
-        write("three.obj", 3);
-        const Outcome same = workshop::knead({"compare", m_shop.qPath("two.obj"), m_shop.qPath("two.obj"), "--json"});
+        const QString bracket = KNEAD_RESOURCES "/examples/bracket.step";
+        const Outcome same = workshop::knead({"compare", bracket, bracket, "--json"});
         QVERIFY2(same.status == 0, same.errors.c_str());
         const json bodies = json::parse(same.out).at("bodies");
         QCOMPARE(bodies.size(), std::size_t{2});
         for (const json& body : bodies)
             QVERIFY(body.at("largest_distance_mm").get<double>() < 1e-9);
-        const Outcome more = workshop::knead({"compare", m_shop.qPath("two.obj"), m_shop.qPath("three.obj"), "--json"});
-        QVERIFY2(more.status == 0, more.errors.c_str());
-        QCOMPARE(json::parse(more.out).at("only_in_changed").size(), std::size_t{1});
-        QVERIFY2(more.errors.find("belongs to no closed part of the original") != std::string::npos,
-                 more.errors.c_str());
-
-        // The second body of a name is called "bolt 2".
-        const QString file = m_shop.qPath("two.obj");
-        const Outcome angle = workshop::knead({"measure", file, "--json", "-m", "distance 0,0,0 60,0,0"});
-        QVERIFY2(angle.status == 0, angle.errors.c_str());
-        QVERIFY(std::abs(measured(json::parse(angle.out), "distance 0,0,0 60,0,0", "Distance").at("now").get<double>() -
-                         60) < 1e-9);
-        const Outcome unclear = workshop::knead({"measure", file, "-m", "face-radius 1"});
-        QCOMPARE(unclear.status, 2);
-        QVERIFY2(unclear.errors.find("#0:1") != std::string::npos, unclear.errors.c_str());
-        const Outcome far = workshop::knead({"measure", file, "-m", "point 0,0,900"});
-        QCOMPARE(far.status, 2);
-        QVERIFY2(far.errors.find("lies far away") != std::string::npos, far.errors.c_str());
-        QCOMPARE(workshop::knead({"measure", file, "-m", "point 0,nan,0"}).status, 2);
+        const Outcome other = workshop::knead({"compare", bar, bracket, "--json"});
+        QVERIFY2(other.status == 0, other.errors.c_str());
+        QCOMPARE(json::parse(other.out).at("only_in_changed").size(), std::size_t{1});
+        QVERIFY2(other.errors.find("belongs to no closed part of the original") != std::string::npos,
+                 other.errors.c_str());
     }
 
     void bodiesAreNamedWithBlanks()
@@ -187,13 +142,20 @@ private slots:
         }
         QCOMPARE(workshop::knead({"measure", bracket, "-m", "face-radius \"Bushing 2\":0"}).status, 2);
         QCOMPARE(workshop::knead({"compare", bracket, bracket, "--entry", "1"}).status, 2);
+        const Outcome unclear = workshop::knead({"measure", bracket, "-m", "face-radius 1"});
+        QCOMPARE(unclear.status, 2);
+        QVERIFY2(unclear.errors.find("#0:1") != std::string::npos, unclear.errors.c_str());
+        const Outcome far = workshop::knead({"measure", bracket, "-m", "point 0,0,900"});
+        QCOMPARE(far.status, 2);
+        QVERIFY2(far.errors.find("lies far away") != std::string::npos, far.errors.c_str());
+        QCOMPARE(workshop::knead({"measure", bracket, "-m", "point 0,nan,0"}).status, 2);
     }
 
     void probesOfARecipeAreRead()
     {
         write("probed.recipe.json",
               R"({"version": 1, "part": {"file": "BAR"}, "objects": 400, "material": {"preset": "silicone-rubber"},
-            "fixtures": [{"name": "end", "box_mm": [-1, -1, -1, 10, 21, 21]}],
+            "fixtures": [{"name": "end", "box_mm": [-1, -1, -1, 30, 21, 21]}],
             "manipulators": [{"name": "block", "size_mm": [20, 24, 5], "position_mm": [90, 10, 23],
                 "keyframes": [{"time_s": 0.2, "position_mm": [90, 10, 17]}]}],
             "probes": [{"name": "tip", "place_mm": [100, 10, 0]}, {"name": "root", "place_mm": [0, 10, 0]}],
@@ -205,7 +167,8 @@ private slots:
         QCOMPARE(probes.size(), std::size_t{2});
         QCOMPARE(probes[0].at("name").get<std::string>(), std::string("tip"));
         QVERIFY(probes[0].at("displacement_mm").get<double>() > 2);
-        QVERIFY(probes[1].at("displacement_mm").get<double>() < 0.1); // held
+        QVERIFY(probes[1].at("displacement_mm").get<double>() <
+                0.02 * probes[0].at("displacement_mm").get<double>()); // held
         QVERIFY(probes[1].at("von_mises_pa").get<double>() > 0);
         std::ifstream file(m_shop.path("probes.csv"));
         std::string head;

@@ -24,16 +24,6 @@ std::string contentOf(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// With moments as the window keeps them.
-Project packed(Project project)
-{
-    for (HistoryRecord& entry : project.entries)
-        if (const auto& bodies = project.starts[entry.start].scene.bodies; entry.moment)
-            entry.moment = std::make_shared<const Bytes>(
-                momentToBytes(momentFromBytes(*entry.moment, bodies), zstandardPacking()));
-    return project;
-}
-
 } // namespace
 
 class ReplayTest : public QObject {

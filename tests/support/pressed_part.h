@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/document/moment_bytes.h"
 #include "io/importer.h"
+#include "io/project/packing.h"
 #include "support/random_session.h"
 
 #include <string>
@@ -77,6 +79,16 @@ inline Project pressedPart(const std::string& file, double spacing)
     Project project = projectOf(document, model, parts);
     project.import.paths = {file};
     project.import.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
+    return project;
+}
+
+/// With moments as the window keeps them.
+inline Project packed(Project project)
+{
+    for (HistoryRecord& entry : project.entries)
+        if (const auto& bodies = project.starts[entry.start].scene.bodies; entry.moment)
+            entry.moment = std::make_shared<const Bytes>(
+                momentToBytes(momentFromBytes(*entry.moment, bodies), zstandardPacking()));
     return project;
 }
 

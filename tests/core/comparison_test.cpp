@@ -1,0 +1,82 @@
+#include "core/session/comparison.h"
+
+#include "core/message/message.h"
+
+#include "core/geometry/mass_properties.h"
+#include "support/shapes.h"
+
+#include <QtTest>
+
+using namespace knead;
+
+namespace {
+
+Part boxAt(const std::string& name, const Vec3& size, double x)
+{
+    Part part;
+    part.name = part.path = name;
+    part.mesh = shapes::moved(shapes::box(size), {.position = {x, 0, 0}});
+    for (const Vec3& vertex : part.mesh.vertices)
+        part.box.extend(vertex);
+    const MassProperties properties = massProperties(part.mesh);
+    part.volume = properties.volume;
+    part.area = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
+    part.watertight = true;
+    return part;
+}
+
+Model modelOf(std::vector<Part> parts)
+{
+    Model model;
+    model.parts = std::move(parts);
+    return model;
+}
+
+const Vec3 size(0.02, 0.01, 0.005);
+
+} // namespace
+
+/// Files beside each other. What a project is beside its original is in window_measuring_test and measure_command_test.
+class ComparisonTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void partsOfOneNameAreTakenOnce()
+    {
+        const Model model = modelOf({boxAt("bolt", size, 0), boxAt("bolt", size, 0.06), boxAt("bolt", size, 0.12)});
+        const Comparison comparison = compareModels(model, model, TaskControl::none());
+        QCOMPARE(comparison.bodies.size(), std::size_t{3});
+        for (const BodyComparison& body : comparison.bodies)
+            QVERIFY(body.largestDistance < 1e-12);
+        QVERIFY(comparison.onlyBefore.empty() && comparison.onlyNow.empty());
+    }
+
+    void whatBelongsToNothingIsNamed()
+    {
+        Part open = boxAt("open", size, 0.2);
+        open.watertight = false;
+        const Model original = modelOf({open, boxAt("lid", size, 0), boxAt("pin", size, 0.06)});
+        const Model changed = modelOf({boxAt("pin", size, 0.06)});
+        const Comparison comparison = compareModels(original, changed, TaskControl::none());
+        QCOMPARE(comparison.bodies.size(), std::size_t{1});
+        QVERIFY(comparison.bodies[0].largestDistance < 1e-12);
+        QCOMPARE(comparison.onlyBefore, std::vector<std::string>{"lid"});
+        QVERIFY_THROWS_EXCEPTION(Problem, compareModels(modelOf({open}), changed, TaskControl::none()));
+    }
+
+    /// A part that lost a half lies nowhere far from the whole one; the whole one does from it.
+    void bothDirectionsCount()
+    {
+        const Model whole = modelOf({boxAt("bar", {0.1, 0.01, 0.01}, 0)});
+        const Model half = modelOf({boxAt("bar", {0.05, 0.01, 0.01}, -0.025)});
+        for (const auto& [a, b] : {std::pair(&whole, &half), std::pair(&half, &whole)}) {
+            const Comparison comparison = compareModels(*a, *b, TaskControl::none());
+            QVERIFY(std::abs(comparison.bodies.at(0).largestDistance - 0.05) < 1e-9);
+            QVERIFY(std::abs(comparison.bodies[0].farthest.x() - 0.05) < 1e-9);
+            QVERIFY(std::isnan(comparison.bodies[0].largestDisplacement));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ComparisonTest)
+#include "comparison_test.moc"
