@@ -317,12 +317,22 @@ private:
     double m_wall = 0;
 };
 
+/// @param remedy said besides when it cannot be written
+void writeTable(const RecipeFiles& files, const std::string& path, const std::string& text, const Message& remedy)
+{
+    try {
+        files.writeTable(path, text);
+    } catch (const Problem& problem) {
+        throw Problem(Message::sequence({problem.message(), remedy}));
+    }
+}
+
 void writeTables(const RecipeFiles& files, const RunTables& tables, RunReport& report)
 {
     if (!tables.forces.empty())
-        files.writeTable(tables.forces, report.forces.csv());
+        writeTable(files, tables.forces, report.forces.csv(), Message("File", "Name another one with --csv."));
     if (!tables.probes.empty())
-        files.writeTable(tables.probes, csvOf(report.probes));
+        writeTable(files, tables.probes, csvOf(report.probes), Message("File", "Name another one with --probes."));
     report.forcesFile = tables.forces;
     report.probesFile = tables.probes;
 }

@@ -1821,6 +1821,14 @@
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
     </message>
+    <message>
+        <source>Name another one with --csv.</source>
+        <translation>Nennen Sie eine andere mit --csv.</translation>
+    </message>
+    <message>
+        <source>Name another one with --probes.</source>
+        <translation>Nennen Sie eine andere mit --probes.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>

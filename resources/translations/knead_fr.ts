@@ -1821,6 +1821,14 @@
         <source>%1 and %2</source>
         <translation>%1 et %2</translation>
     </message>
+    <message>
+        <source>Name another one with --csv.</source>
+        <translation>Nommez-en un autre avec --csv.</translation>
+    </message>
+    <message>
+        <source>Name another one with --probes.</source>
+        <translation>Nommez-en un autre avec --probes.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>

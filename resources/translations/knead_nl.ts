@@ -1821,6 +1821,14 @@
         <source>%1 and %2</source>
         <translation>%1 en %2</translation>
     </message>
+    <message>
+        <source>Name another one with --csv.</source>
+        <translation>Noem een ander met --csv.</translation>
+    </message>
+    <message>
+        <source>Name another one with --probes.</source>
+        <translation>Noem een ander met --probes.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>

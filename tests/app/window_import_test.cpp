@@ -96,6 +96,7 @@ private slots:
         if (!hasDisplay())
             QSKIP("The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
+        m_services.import = importInChildren; // each time anew: reading is what is looked at
     }
 
     void init() { show(m_services); }
