@@ -1,6 +1,5 @@
 #include "app/first_recipe.h"
 
-#include "core/session/part_filling.h"
 #include "core/simulation/first_press.h"
 
 #include <nlohmann/json.hpp>
@@ -58,17 +57,16 @@ Json words(const Manipulator& block, double size)
 
 } // namespace
 
-std::string firstRecipe(const Model& model, const std::string& part, const Material& material, TaskControl& control)
+std::string firstRecipe(const Model& model, const std::string& part)
 {
-    const double spacing = automaticSpacing(fillingSizes(model, partsToFill(model, false), {}, control));
-    const FirstPress press = firstPress(model, spacing, strainAtBreak(material));
+    const FirstPress press = firstPress(model);
     const double size = press.held.diagonal().norm();
     const std::string name = std::filesystem::path(part).stem().string();
     Json recipe{
         {"version", 1},
         {"part", {{"file", part}}},
-        {"spacing_mm", readable(spacing, size)},
-        {"material", {{"preset", startMaterialId}}},
+        {"objects", press.objects},
+        {"material", {{"preset", "silicone-rubber"}, {"poisson_ratio", 0.35}}},
         {"integrator", "automatic"},
         {"fixtures", Json::array({{{"name", "end"}, {"box_mm", readable(press.held, size)}}})},
         {"manipulators", Json::array({words(press.block, size)})},

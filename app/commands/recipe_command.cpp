@@ -6,7 +6,6 @@
 #include "app/first_recipe.h"
 #include "app/resources.h"
 #include "core/message/message.h"
-#include "core/session/part_filling.h"
 #include "io/files/safe_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
@@ -42,10 +41,8 @@ std::string partSeenFrom(const std::string& recipe, const std::string& part)
 std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 {
     const Model model = importInChild(options.file, {}, control);
-    return firstRecipe(model,
-                       options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
-                                              : partSeenFrom(options.output, options.file),
-                       startMaterial(readMaterials(materialsFile())), control);
+    return firstRecipe(model, options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
+                                                     : partSeenFrom(options.output, options.file));
 }
 
 /// @param remarks get what the recipe leaves out

@@ -51,7 +51,8 @@ FillingSizes fillingSizes(const Model& model, std::span<const std::size_t> parts
 
 double automaticSpacing(const FillingSizes& sizes)
 {
-    const auto& [all, largest] = sizes;
+    const FillingSize& all = sizes.all;
+    const FillingSize& largest = sizes.largest;
     const double share = all.volume > 0 ? largest.volume / all.volume : 1;
     const double usual = spacingFor({SpacingChoice::Kind::Objects, std::max(500.0, wantedObjects * share)}, largest);
     const auto forWalls = [&all](double cells, double objects) {

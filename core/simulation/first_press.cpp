@@ -16,6 +16,8 @@ namespace {
 
 constexpr double pressTime = 0.8; // [s]
 constexpr double endTime = 1.0;   // [s]; the rest shows the material at rest
+constexpr int fewObjects = 3000;
+constexpr double manyObjects = 20'000;
 
 constexpr double heldShare = 0.12;    // of an extent
 constexpr double longShare = 2;       // times as long as thick: what is bent
@@ -38,15 +40,27 @@ Box boxOfClosedParts(const Model& model)
     return box;
 }
 
-/// Cells across the thinnest wall, in the mean of its part, at most the two that are wanted.
-double cellsAcrossWall(const Model& model, double spacing)
+/// How a model is filled.
+struct Filling {
+    int objects = 0;
+    double cells = 0; ///< across the thinnest wall, in the mean of its part, at most those that are wanted
+};
+
+/// Fine enough for two cells across the wall of every part, as far as a run of some seconds allows.
+Filling suitableFilling(const Model& model)
 {
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const Part& part : model.parts)
-        if (part.canBeFilled() && part.volume > 0 && part.area > 0)
-            thinnest = std::min(thinnest, 2 * part.volume / part.area); // of a plate
+    double volume = 0;
+    double spacing = std::numeric_limits<double>::infinity();
+    for (const Part& part : model.parts) {
+        if (!part.canBeFilled() || !(part.volume > 0) || !(part.area > 0))
+            continue;
+        volume += part.volume;
+        spacing = std::min(spacing, part.volume / part.area); // half the thickness of a plate
+    }
     constexpr double wantedCells = 2;
-    return std::min(wantedCells, thinnest / spacing);
+    const double objects = volume / (spacing * spacing * spacing);
+    return {objects > fewObjects ? static_cast<int>(std::min(objects, manyObjects)) : fewObjects,
+            wantedCells * std::min(1.0, std::cbrt(manyObjects / objects))};
 }
 
 /// The axes of a box by its extent.
@@ -205,7 +219,7 @@ double strainAtBreak(const Material& material)
     return material.tensileStrength / material.youngsModulus;
 }
 
-FirstPress firstPress(const Model& model, double spacing, double bearableStrain)
+FirstPress firstPress(const Model& model, double bearableStrain)
 {
     const Box box = boxOfClosedParts(model);
     const Axes axes = axesOf(box);
@@ -214,13 +228,15 @@ FirstPress firstPress(const Model& model, double spacing, double bearableStrain)
         std::count_if(model.parts.begin(), model.parts.end(), [](const Part& one) { return one.canBeFilled(); });
     FirstPress press;
     press.held = lowEnd(model, box, isLong ? axes.longest : axes.shortest);
+    const Filling filling = suitableFilling(model);
     // Two cells across a wall show what it does.
-    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * cellsAcrossWall(model, spacing)));
+    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * filling.cells));
     press.block = isLong ? bendingBlock(model, box, axes, press.held.max()[axes.longest], share, bearableStrain)
                          : squeezingBlock(model, box, axes, share, bearableStrain);
     press.bends = isLong;
     press.duration = endTime;
     press.hasBodies = bodies > 1;
+    press.objects = filling.objects;
     return press;
 }
 

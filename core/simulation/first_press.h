@@ -17,13 +17,12 @@ struct FirstPress {
     bool bends = false;     ///< the part gives way below the block, which a floor would not let it
     double duration = 0;    ///< until all is over [s]
     bool hasBodies = false; ///< more than one, which may touch
+    int objects = 0;        ///< that show the walls, as far as a run of some seconds allows
 };
 
-/// @param spacing of its filling [m]
 /// @param bearableStrain what the material bears before it breaks, see below
 /// @throws Problem when no part is closed.
-FirstPress firstPress(const Model& model, double spacing,
-                      double bearableStrain = std::numeric_limits<double>::infinity());
+FirstPress firstPress(const Model& model, double bearableStrain = std::numeric_limits<double>::infinity());
 
 /// Strain of a bar when it breaks; infinite for what never does.
 double strainAtBreak(const Material& material);

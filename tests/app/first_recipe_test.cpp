@@ -26,7 +26,7 @@ void FirstRecipeTest::partsFarAwayAreHeldAndPressed()
         part.watertight = true;
         Model model;
         model.parts.push_back(part);
-        return nlohmann::json::parse(firstRecipe(model, "bar.step", {}, TaskControl::none()));
+        return nlohmann::json::parse(firstRecipe(model, "bar.step"));
     };
     const nlohmann::json here = boxOfRecipe(Vec3::Zero());
     const nlohmann::json there = boxOfRecipe({20, -14, 4});

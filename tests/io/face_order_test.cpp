@@ -1,4 +1,3 @@
-#include "core/session/part_filling.h"
 #include "core/simulation/first_press.h"
 #include "core/simulation/simulation.h"
 #include "io/brep/occt_session.h"
@@ -46,10 +45,10 @@ double volumeAsRead(const ExportedFile& file)
 PartToExport pressed(const Model& model)
 {
     const Part& part = model.parts.front();
+    const FirstPress press = firstPress(model);
     PartToExport out{.part = part};
-    const double spacing = automaticSpacing(fillingSizes(model, partsToFill(model, false), {}, TaskControl::none()));
-    const FirstPress press = firstPress(model, spacing);
-    out.aggregate = fillPart(part, spacing, Arrangement::cutCells, TaskControl::none());
+    out.aggregate = std::make_shared<const Aggregate>(
+        fill(part.mesh, {.spacing = spacingForObjectCount(part.mesh, static_cast<std::size_t>(press.objects))}));
     Material rubber;
     rubber.density = 1100;
     rubber.youngsModulus = 1e6;

@@ -14,6 +14,7 @@ class RecipeOverrideTest : public QObject {
 private slots:
     void everyPlaceCanBeSet();
     void valuesAreJsonOrTexts_data();
+    void oneWayOfFillingTakesThePlaceOfAnother();
     void valuesAreJsonOrTexts();
     void placesAreFoundByName_data();
     void placesAreFoundByName();
@@ -108,6 +109,17 @@ void RecipeOverrideTest::valuesAreJsonOrTexts_data()
                                  << "\"a=b\"";
     QTest::newRow("nothing") << "objects="
                              << "\"\"";
+}
+
+/// A recipe says in one way how finely parts are filled.
+void RecipeOverrideTest::oneWayOfFillingTakesThePlaceOfAnother()
+{
+    json recipe = full();
+    const json objects = recipe.at("objects");
+    const json result = changed(recipe, {parseOverride("spacing_mm=3")});
+    QVERIFY(!result.contains("objects"));
+    QCOMPARE(result.at("spacing_mm"), json(3));
+    QCOMPARE(changed(result, {parseOverride("objects=" + objects.dump())}), recipe);
 }
 
 void RecipeOverrideTest::valuesAreJsonOrTexts()

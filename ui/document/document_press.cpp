@@ -48,7 +48,7 @@ void Document::pressIt()
     const auto again = [this] { pressIt(); };
     if (laterHere(again) || whenFixturesAreKnown(again) || !canPressIt())
         return;
-    FirstPress press = firstPress(*m_content->model, m_content->spacing, bearableStrain(m_frame->snapshot->materials));
+    FirstPress press = firstPress(*m_content->model, bearableStrain(m_frame->snapshot->materials));
     const QString name = tr("Press it");
     beginGesture();
     if (press.bends && m_frame->snapshot->floorHeight)
