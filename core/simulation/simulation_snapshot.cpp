@@ -248,6 +248,8 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
             shot->fixtures.push_back(*state.fixtures[id]);
             shot->fixtureIds.push_back(id);
             shot->fixtureForces.push_back(id < state.fixtureForces.size() ? state.fixtureForces[id] : Vec3::Zero());
+            shot->fixtureMoments.push_back(id < state.fixtureMoments.size() ? state.fixtureMoments[id] : Vec3::Zero());
+            shot->fixtureCenters.push_back(id < state.fixtureCenters.size() ? state.fixtureCenters[id] : Vec3::Zero());
         }
     return shot;
 }

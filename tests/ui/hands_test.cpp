@@ -1,6 +1,6 @@
 #include "ui/document/force_record.h"
 #include "ui/interaction/key_bindings.h"
-#include "ui/interaction/pull_control.h"
+#include "core/session/pull_spring.h"
 #include "ui/interaction/space_hand.h"
 #include "ui/units.h"
 
@@ -39,7 +39,7 @@ private slots:
     void thePatchComesToRestWhereSpringAndMaterialAreInBalance()
     {
         const Material rubber{.youngsModulus = 1e6};
-        const PullSpring spring = springFor(rubber, 0.005, 0, 1e9);
+        const PullSpring spring = springFor(rubber, 0.005, {.limit = 1e9});
         const double stiffest = 2 * rubber.youngsModulus * spring.radius;
         for (const double support : {0.0, 0.01 * stiffest, stiffest})
             for (const double pace : {0.016, 0.1}) {
@@ -53,7 +53,7 @@ private slots:
 
     void theHandPullsNoHarderThanItsLimit()
     {
-        const PullSpring spring = springFor({.youngsModulus = 1e6}, 0.005, 2000, 3);
+        const PullSpring spring = springFor({.youngsModulus = 1e6}, 0.005, {.stiffness = 2000, .limit = 3});
         QCOMPARE(springForce(spring, Vec3(0.001, 0, 0)), Vec3(2, 0, 0));
         QVERIFY((springForce(spring, Vec3(0, 0.5, 0)) - Vec3(0, 3, 0)).norm() < 1e-12);
         QVERIFY(pullVelocity(spring, Vec3(0, 0.5, 0), Vec3(0, -3, 0), 1).norm() < 1e-12);
@@ -62,8 +62,8 @@ private slots:
 
     void byItselfTheSpringSuitsTheMaterial()
     {
-        const PullSpring clay = springFor({.youngsModulus = 1e6, .yieldStress = 1e4}, 0.005, 0, 0);
-        const PullSpring steel = springFor({.youngsModulus = 2e11}, 0.005, 0, 0);
+        const PullSpring clay = springFor({.youngsModulus = 1e6, .yieldStress = 1e4}, 0.005);
+        const PullSpring steel = springFor({.youngsModulus = 2e11}, 0.005);
         QVERIFY(steel.stiffness / clay.stiffness > 1e5);
         QVERIFY(clay.limit < 1e4 * 10 * std::numbers::pi * 0.005 * 0.005); // a few yield stresses
     }

@@ -1,4 +1,4 @@
-#include "ui/interaction/press_pose.h"
+#include "core/session/press_pose.h"
 
 #include "core/geometry/triangle_mesh.h"
 #include "support/scenes.h"
@@ -118,11 +118,14 @@ private slots:
                                         -1, 0, 0.5F, 9, 0, 0,    9, 0, 1,    9, 1, 0};
         const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 3}, {0, 3, 4}, {0, 3, 1}, {5, 6, 7}};
         const Vec3 place(0.05, 0.3, 0.02);
-        const Vec3 mean = normalAround(triangles, points, 0, place, 2);
-        QVERIFY((mean - Vec3::UnitZ()).norm() < 1e-6);
-        const Vec3 alone = normalAround(triangles, points, 0, Vec3(0.4, 0.3, 0.2), 0.2);
+        const SurfaceSpot both = surfaceSpot(triangles, points, 0, place, 2);
+        QCOMPARE(both.place, place);
+        QVERIFY((both.normal - Vec3::UnitZ()).norm() < 1e-6);
+        QVERIFY2((both.level - Vec3(0, 4.0 / 9, 1.0 / 6)).norm() < 0.2, "between the middles of the two");
+        const Vec3 alone = surfaceSpot(triangles, points, 0, Vec3(0.4, 0.3, 0.2), 0.2).normal;
         QVERIFY((alone - Vec3(-0.5, 0, 1).normalized()).norm() < 1e-6);
-        QVERIFY((normalAround(triangles, points, 2, place, 2) + Vec3(-0.5, 0, 1).normalized()).norm() < 1e-6);
+        const Vec3 other = surfaceSpot(triangles, points, 2, place, 2).normal;
+        QVERIFY((other + Vec3(-0.5, 0, 1).normalized()).norm() < 1e-6);
     }
 
     void aThumbIsAsStrongAsTheMaterial()

@@ -30,6 +30,11 @@ HandSettings::HandSettings(QObject* parent)
     read(settings, "hands/pullStiffness", 0, 1e12, m_choices.pullStiffness);
     read(settings, "hands/pullLimit", 0, 1e12, m_choices.pullLimit);
     read(settings, "hands/spaceMouseRate", 0.1, 10, m_choices.spaceMouseRate);
+    read(settings, "hands/sculptStrength", 0.1, 20, m_choices.sculptStrength);
+    m_choices.mirrorX = settings.value("hands/mirrorX", false).toBool();
+    m_choices.mirrorY = settings.value("hands/mirrorY", false).toBool();
+    m_choices.mirrorZ = settings.value("hands/mirrorZ", false).toBool();
+    m_choices.holdsRest = settings.value("hands/holdsRest", true).toBool();
     m_choices.handles = settings.value("hands/handles", true).toBool();
     m_choices.forces = settings.value("hands/forces", true).toBool();
     m_choices.ownAxes = settings.value("hands/ownAxes", false).toBool();
@@ -53,6 +58,11 @@ void HandSettings::set(const HandChoices& choices)
     settings.setValue("hands/spaceMouseRate", choices.spaceMouseRate);
     settings.setValue("hands/ownAxes", choices.ownAxes);
     settings.setValue("hands/spaceMouseDrivesTool", choices.spaceMouseDrivesTool);
+    settings.setValue("hands/sculptStrength", choices.sculptStrength);
+    settings.setValue("hands/mirrorX", choices.mirrorX);
+    settings.setValue("hands/mirrorY", choices.mirrorY);
+    settings.setValue("hands/mirrorZ", choices.mirrorZ);
+    settings.setValue("hands/holdsRest", choices.holdsRest);
     emit changed();
 }
 

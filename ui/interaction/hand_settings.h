@@ -21,6 +21,13 @@ struct HandChoices {
     double pullStiffness = 0; ///< of the spring between hand and material [N/m]; 0: goes by the material
     double pullLimit = 0;     ///< the hand does not pull harder [N]; 0: goes by the material
 
+    double sculptRadius = 0;   ///< of brushes [m]; 0: goes by the part. Not kept from session to session
+    double sculptStrength = 1; ///< of brushes, in forces that suit the material, 0.1 .. 20
+    bool mirrorX = false;      ///< brushes do the same across the plane x = middle of the part
+    bool mirrorY = false;
+    bool mirrorZ = false;
+    bool holdsRest = true; ///< the other hand holds what is far from a brush, where nothing else holds the part
+
     bool spaceMouseDrivesTool = false; ///< else the camera
     double spaceMouseRate = 1;         ///< of its speeds, 0.1 .. 10
 

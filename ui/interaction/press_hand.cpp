@@ -127,8 +127,9 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
     const QString name = m_document.nameOfBody(hit.id);
     const double spacing = frame.filled[hit.id]->aggregate->lattice.spacing;
     const auto posesOf = [&](const ToolShape& shape, const Quaternion& rotation) {
-        const Vec3 normal = normalAround(frame.filled[hit.id]->render.triangles, frame.bodies[hit.id]->points,
-                                         hit.triangle, hit.place, normalShare * shape.size.minCoeff());
+        const Vec3 normal = surfaceSpot(frame.filled[hit.id]->render.triangles, frame.bodies[hit.id]->points,
+                                        hit.triangle, hit.place, normalShare * shape.size.minCoeff())
+                                .normal;
         return pressPoses(shape, rotation, hit.place, normal, gapShare * spacing);
     };
     Press press;

@@ -99,8 +99,8 @@ void PullHand::begin(const PickHit& hit)
     }
     pull.grip = freeName();
     pull.place = pull.hand = hit.place;
-    pull.spring =
-        springFor(now.materials[hit.id], radius, m_settings.choices().pullStiffness, m_settings.choices().pullLimit);
+    const HandChoices& choices = m_settings.choices();
+    pull.spring = springFor(now.materials[hit.id], radius, {choices.pullStiffness, choices.pullLimit});
     pull.makesTimeRun = !m_document.isPlaying();
     m_pull = std::move(pull);
     m_pull->patch = patchNow();

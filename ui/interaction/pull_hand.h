@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/interaction/hand_settings.h"
-#include "ui/interaction/pull_control.h"
+#include "core/session/pull_spring.h"
 #include "ui/interaction/view_hand.h"
 #include "ui/interaction/view_overlay.h"
 #include "ui/viewport/scene_picker.h"

@@ -22,11 +22,18 @@ struct PressPoses {
 PressPoses pressPoses(const ToolShape& shape, const Quaternion& rotation, const Vec3& place, const Vec3& normal,
                       double gap);
 
-/// Of a surface around a place, outward, of length 1: the mean over what lies within a radius and faces the same way.
-/// @param triangles of `places`
+/// A place of a surface, and what that is like around it.
+struct SurfaceSpot {
+    Vec3 place = Vec3::Zero();   ///< [m]
+    Vec3 normal = Vec3::UnitZ(); ///< outward, the mean around the place, of length 1
+    Vec3 level = Vec3::Zero();   ///< the mean of the surface around the place [m]
+};
+
+/// Means over what lies within a radius of the place and faces the same way.
+/// @param triangles of `points`, which are x y z of each vertex [m]
 /// @param triangle that the place lies on
-Vec3 normalAround(std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const float> points,
-                  std::uint32_t triangle, const Vec3& place, double radius);
+SurfaceSpot surfaceSpot(std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const float> points,
+                        std::uint32_t triangle, const Vec3& place, double radius);
 
 /// Force at which a ball stops in a material a third of its radius deep, roughly: H pi a^2 with H = 2.8 yield stresses (Tabor), no
 /// more than Hertz's 4/3 E / (1 - nu^2) sqrt(r) d^1.5 [N].

@@ -1,4 +1,4 @@
-#include "ui/interaction/press_pose.h"
+#include "core/session/press_pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,8 @@ PressPoses pressPoses(const ToolShape& shape, const Quaternion& rotation, const 
     return {{place + (reach + gap) * normal, turned}, {place - reach * normal, turned}};
 }
 
-Vec3 normalAround(std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const float> points,
-                  std::uint32_t triangle, const Vec3& place, double radius)
+SurfaceSpot surfaceSpot(std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const float> points,
+                        std::uint32_t triangle, const Vec3& place, double radius)
 {
     const auto point = [&](std::uint32_t vertex) -> Vec3 {
         return Eigen::Map<const Eigen::Vector3f>(points.data() + std::size_t{3} * vertex).cast<double>();
@@ -83,14 +83,22 @@ Vec3 normalAround(std::span<const std::array<std::uint32_t, 3>> triangles, std::
     };
     const Vec3 first = areaOf(triangles[triangle]);
     Vec3 sum = Vec3::Zero();
+    Vec3 middles = Vec3::Zero();
+    double size = 0;
     for (const auto& corners : triangles) {
-        const Vec3 area = areaOf(corners);
         const Vec3 middle = (point(corners[0]) + point(corners[1]) + point(corners[2])) / 3;
-        if ((middle - place).norm() <= radius && area.dot(first) > 0)
-            sum += area;
+        if ((middle - place).norm() > radius)
+            continue;
+        const Vec3 area = areaOf(corners);
+        if (area.dot(first) <= 0)
+            continue;
+        sum += area;
+        middles += area.norm() * middle;
+        size += area.norm();
     }
     const Vec3 normal = sum.isZero(0) ? first : sum;
-    return normal.isZero(0) ? Vec3::UnitZ() : normal.stableNormalized();
+    return {place, normal.isZero(0) ? Vec3::UnitZ() : Vec3(normal.stableNormalized()),
+            size > 0 ? Vec3(middles / size) : place};
 }
 
 double thumbForce(const Material& material, double radius)
