@@ -4,6 +4,7 @@
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
 #include "core/session/part_filling.h"
+#include "core/session/relief.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -47,6 +48,7 @@ std::shared_ptr<const FilledSurface> makeSurface(const Model& model, std::size_t
     surface->frame.places = body->mesh.vertices;
     surface->frame.points = renderPoints(body->render, body->mesh.vertices);
     surface->frame.normals = renderNormals(body->render, surface->frame.points);
+    surface->frame.shades = reliefShades(body->render, surface->frame.points, surface->frame.normals);
     surface->body = std::move(body);
     return surface;
 }

@@ -67,6 +67,7 @@ struct BodyFrame {
     std::vector<Vec3> places;   ///< of the vertices of FilledBody::mesh [m]
     std::vector<float> points;  ///< x y z per render vertex [m]
     std::vector<float> normals; ///< x y z per render vertex
+    std::vector<float> shades;  ///< per render vertex, see reliefShades(); empty: none
 
     Vec3 point(std::uint32_t vertex) const ///< of a render vertex [m]
     {

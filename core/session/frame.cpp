@@ -1,5 +1,7 @@
 #include "core/session/frame.h"
 
+#include "core/session/relief.h"
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -17,6 +19,7 @@ std::shared_ptr<const BodyFrame> bodyFrame(const FilledBody& body, const Snapsho
     body.skin->evaluate(state.displacements(), frame->places);
     frame->points = renderPoints(body.render, frame->places);
     frame->normals = renderNormals(body.render, frame->points);
+    frame->shades = reliefShades(body.render, frame->points, frame->normals);
     return frame;
 }
 

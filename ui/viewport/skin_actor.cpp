@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <vector>
 
 namespace knead {
 
@@ -27,6 +28,9 @@ struct SkinActor::Parts {
     vtkNew<vtkPoints> points;
     vtkNew<vtkFloatArray> normals;
     vtkNew<vtkUnsignedCharArray> colors;
+    std::vector<unsigned char>
+        plain;                 ///< colors without shades; empty where they tell values, which shades would falsify
+    std::vector<float> shades; ///< see BodyFrame
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -111,6 +115,10 @@ void SkinActor::show(const BodyFrame& frame)
     vtkDataArray* points = m_parts->points->GetData();
     std::copy(frame.points.begin(), frame.points.end(), static_cast<float*>(points->GetVoidPointer(0)));
     std::copy(frame.normals.begin(), frame.normals.end(), m_parts->normals->GetPointer(0));
+    if (m_parts->shades != frame.shades) {
+        m_parts->shades = frame.shades;
+        showColors();
+    }
     points->Modified();
     m_parts->points->Modified();
     m_parts->normals->Modified();
@@ -133,7 +141,8 @@ void SkinActor::setEdges(const Color& color, float width)
 void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorOf)
 {
     std::unordered_map<std::uint32_t, std::array<unsigned char, 3>> bytes;
-    unsigned char* out = m_parts->colors->GetPointer(0);
+    m_parts->plain.resize(3 * m_body->render.face.size());
+    auto out = m_parts->plain.begin();
     for (const std::uint32_t face : m_body->render.face) {
         const auto [known, isNew] = bytes.try_emplace(face);
         if (isNew) {
@@ -142,12 +151,28 @@ void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorO
         }
         out = std::copy(known->second.begin(), known->second.end(), out);
     }
+    showColors();
+}
+
+/// Darker in hollows, where the colors are those of the part.
+void SkinActor::showColors()
+{
+    const std::vector<unsigned char>& plain = m_parts->plain;
+    const std::vector<float>& shades = m_parts->shades;
+    unsigned char* out = m_parts->colors->GetPointer(0);
+    if (3 * shades.size() == plain.size())
+        std::transform(plain.begin(), plain.end(), out, [&, n = std::size_t{0}](unsigned char byte) mutable {
+            return static_cast<unsigned char>(std::min(255.0F, static_cast<float>(byte) * shades[n++ / 3] + 0.5F));
+        });
+    else
+        std::copy(plain.begin(), plain.end(), out);
     m_parts->colors->Modified();
     m_parts->faces->Modified();
 }
 
 void SkinActor::setValues(std::span<const float> values, const ColorScale& scale)
 {
+    m_parts->plain.clear();
     const ColorTable& table = colorTable(scale.map);
     unsigned char* out = m_parts->colors->GetPointer(0);
     for (const std::uint32_t vertex : m_body->render.source) {
@@ -163,7 +188,7 @@ void SkinActor::setValues(std::span<const float> values, const ColorScale& scale
 void SkinActor::tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf)
 {
     std::unordered_map<std::uint32_t, std::optional<Color>> colors;
-    unsigned char* bytes = m_parts->colors->GetPointer(0);
+    unsigned char* bytes = m_parts->plain.empty() ? m_parts->colors->GetPointer(0) : m_parts->plain.data();
     const auto mix = [share](unsigned char& byte, float to) {
         const float from = static_cast<float>(byte) / 255.0F;
         byte = byteOf(from + static_cast<float>(share) * (to - from));
@@ -179,8 +204,7 @@ void SkinActor::tint(double share, const std::function<std::optional<Color>(std:
         }
         bytes += 3;
     }
-    m_parts->colors->Modified();
-    m_parts->faces->Modified();
+    showColors();
 }
 
 void SkinActor::setOpacity(double opacity)

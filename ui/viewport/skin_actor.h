@@ -35,6 +35,8 @@ public:
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
+    void showColors();
+
     struct Parts;
     std::shared_ptr<const FilledBody> m_body;
     std::unique_ptr<Parts> m_parts;
