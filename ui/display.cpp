@@ -64,8 +64,7 @@ QAction* Display::make(const char* name, const QString& text, const char* pictur
     if (picture != nullptr)
         action->setIcon(icon(picture));
     action->setShortcut(QKeySequence(keys));
-    const QString shown = QKeySequence(keys).toString(QKeySequence::NativeText);
-    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+    action->setToolTip(tip);
     m_window->addAction(action);
     return action;
 }

@@ -4369,8 +4369,8 @@ Simuliert: %2, Schritt %3
         <translation>Mit Original vergleichen...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Größter und mittlerer Abstand, Volumen und Masse neben dem Original, und ein Bericht (Umschalt+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Größter und mittlerer Abstand, Volumen und Masse neben dem Original, und ein Bericht</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -5003,8 +5003,8 @@ Simuliert: %2, Schritt %3
         <translation>Sonde setzen</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht</translation>
     </message>
 </context>
 <context>

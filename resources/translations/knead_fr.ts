@@ -4369,8 +4369,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Comparer à l&apos;original...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Distances maximale et moyenne, volume et masse à côté de l&apos;original, et un rapport (Maj+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Distances maximale et moyenne, volume et masse à côté de l&apos;original, et un rapport</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -5003,8 +5003,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Placer une sonde</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps</translation>
     </message>
 </context>
 <context>

@@ -4369,8 +4369,8 @@ Gesimuleerd: %2, stap %3
         <translation>Met origineel vergelijken...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Grootste en gemiddelde afstand, volume en massa naast het origineel, en een verslag (Shift+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Grootste en gemiddelde afstand, volume en massa naast het origineel, en een verslag</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -5003,8 +5003,8 @@ Gesimuleerd: %2, stap %3
         <translation>Meetpunt plaatsen</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt</translation>
     </message>
 </context>
 <context>

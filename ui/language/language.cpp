@@ -1,6 +1,5 @@
 #include "ui/language/language.h"
 
-#include "ui/language/phrasebook.h"
 #include "ui/language/retranslation.h"
 
 #include <QCoreApplication>
@@ -37,7 +36,7 @@ const char* withoutNamespace(const char* context)
     return std::string_view(context).starts_with(name) ? context + name.size() : context;
 }
 
-/// Asks our translations, then those of Qt, and remembers what was said. Tasks say things too, on their threads.
+/// Asks our translations, then those of Qt, and keeps what it says. Tasks say things too, on their threads.
 class Interpreter final : public QTranslator {
 public:
     using QTranslator::QTranslator;
@@ -46,17 +45,19 @@ public:
 
     QString translate(const char* context, const char* source, const char* comment, int count) const override
     {
+        const Phrase phrase{context, source, comment, count};
         const std::lock_guard lock(m_mutex);
-        // lupdate writes contexts without the namespace.
-        QString said = m_own->translate(withoutNamespace(context), source, comment, count);
-        if (said.isNull())
-            said = m_qt->translate(context, source, comment, count);
-        m_book.add(said.isNull() ? QString::fromUtf8(source) : said, {context, source, comment});
+        QString& said = m_said[phrase];
+        if (said.isNull()) {
+            said = inWords(context, source, comment, count);
+            if (const auto before = m_before.constFind(phrase); before != m_before.constEnd() && *before == said)
+                said = *before; // who shows it keeps it when given its like
+        }
         return said;
     }
 
-    /// @return what was said in the language before
-    Phrasebook change(const QString& code)
+    /// @return what was said in the language before, until the next change
+    const SaidPhrases& change(const QString& code)
     {
         auto own = std::make_unique<QTranslator>();
         auto qt = std::make_unique<QTranslator>();
@@ -69,17 +70,28 @@ public:
         m_code = code;
         m_own = std::move(own);
         m_qt = std::move(qt);
-        return std::exchange(m_book, {});
+        m_before = std::exchange(m_said, {});
+        return m_before;
     }
 
     const QString& code() const { return m_code; }
 
 private:
+    QString inWords(const char* context, const char* source, const char* comment, int count) const
+    {
+        // lupdate writes contexts without the namespace.
+        if (QString said = m_own->translate(withoutNamespace(context), source, comment, count); !said.isNull())
+            return said;
+        const QString said = m_qt->translate(context, source, comment, count);
+        return said.isNull() ? QString::fromUtf8(source) : said;
+    }
+
     mutable std::mutex m_mutex;
     QString m_code;
     std::unique_ptr<QTranslator> m_own = std::make_unique<QTranslator>();
     std::unique_ptr<QTranslator> m_qt = std::make_unique<QTranslator>();
-    mutable Phrasebook m_book;
+    mutable SaidPhrases m_said; ///< in the language of now
+    SaidPhrases m_before;       ///< in the one before
 };
 
 /// It goes with the application.
@@ -119,7 +131,7 @@ void speak(const QString& code)
     Interpreter& now = interpreter();
     if (now.code() == code || !isOurs(code))
         return;
-    const Phrasebook before = now.change(code);
+    const SaidPhrases& before = now.change(code);
     QEvent change(QEvent::LanguageChange); // Qt's own texts, and who wants to know
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);
     retranslate(before);

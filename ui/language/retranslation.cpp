@@ -1,11 +1,9 @@
 #include "ui/language/retranslation.h"
 
-#include "ui/language/phrasebook.h"
-#include "ui/language/tip_properties.h"
-
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QMetaProperty>
 #include <QPointer>
@@ -20,51 +18,34 @@ namespace knead {
 
 namespace {
 
-QString say(const Phrase& phrase, int count)
-{
-    return QCoreApplication::translate(phrase.context, phrase.source,
-                                       phrase.comment.isEmpty() ? nullptr : phrase.comment.data(), count);
-}
-
-/// Classes of an object and of all it is in.
-QByteArrayList contextsOf(const QObject* object)
-{
-    QByteArrayList contexts;
-    for (; object != nullptr; object = object->parent())
-        for (const QMetaObject* kind = object->metaObject(); kind != nullptr; kind = kind->superClass())
-            contexts << kind->className();
-    return contexts;
-}
+/// Phrases by the memory that their letters are in.
+using Holders = QHash<const QChar*, const Phrase*>;
 
 /// One object's texts.
 class Retranslator {
 public:
-    Retranslator(const Phrasebook& book, QObject& object)
-        : m_book(book)
+    Retranslator(const Holders& phrases, QObject& object)
+        : m_phrases(phrases)
         , m_object(object)
-        , m_contexts(contextsOf(&object))
     {
     }
 
     void texts()
     {
         for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
-                                 "prefix", "suffix", "specialValueText", "accessibleName"}) {
+                                 "prefix", "suffix", "specialValueText", "accessibleName", "whyDisabled"}) {
             if (QByteArrayView(name) == "text" && qobject_cast<QLineEdit*>(&m_object) != nullptr)
                 continue; // a person's
             property(name);
         }
     }
 
-    /// Tips to which keys were added; who added them does so again.
+    /// A tip to which keys were added; who added them does so again.
     void tip(QAction& action)
     {
-        const QString shown = action.property(tip_properties::withoutKeys).toString();
-        if (!shown.isEmpty() && !action.property(tip_properties::isText).toBool())
-            action.setToolTip(said(shown));
-        const QString why = action.property("whyDisabled").toString();
-        if (!why.isEmpty())
-            action.setProperty("whyDisabled", said(why));
+        const QString shown = action.property(tipWithoutKeys).toString();
+        if (const QString now = said(shown); now != shown)
+            action.setToolTip(now);
     }
 
     void choices(QComboBox& box)
@@ -89,29 +70,9 @@ public:
     void outline(QTreeWidget& tree)
     {
         const QSignalBlocker blocker(tree); // nothing was edited
-        headings(tree);
-        items(tree);
-    }
-
-    void headings(QTreeWidget& tree)
-    {
-        QTreeWidgetItem* head = tree.headerItem();
-        for (int i = 0; i < tree.columnCount(); ++i) {
-            head->setText(i, said(head->text(i)));
-            head->setToolTip(i, said(head->toolTip(i)));
-        }
-    }
-
-    /// What the tree itself says, as "Tools"; what a person may rename is hers.
-    void items(QTreeWidget& tree)
-    {
-        for (QTreeWidgetItemIterator item(&tree); *item != nullptr; ++item)
-            for (int i = 0; i < tree.columnCount(); ++i) {
-                (*item)->setToolTip(i, said((*item)->toolTip(i)));
-                const bool isHers = (*item)->flags().testFlag(Qt::ItemIsEditable);
-                if (const auto own = m_book.ownPhrase((*item)->text(i), m_contexts, say); own && !isHers)
-                    (*item)->setText(i, *own);
-            }
+        item(*tree.headerItem());
+        for (QTreeWidgetItemIterator one(&tree); *one != nullptr; ++one)
+            item(**one);
     }
 
     void headings(QTableWidget& table)
@@ -127,28 +88,37 @@ public:
 private:
     QString said(const QString& shown) const
     {
-        return shown.isEmpty() ? shown : m_book.translated(shown, m_contexts, say);
+        const Phrase* phrase = shown.isEmpty() ? nullptr : m_phrases.value(shown.constData());
+        return phrase == nullptr
+                   ? shown
+                   : QCoreApplication::translate(phrase->context, phrase->source,
+                                                 phrase->comment.isEmpty() ? nullptr : phrase->comment.data(),
+                                                 phrase->count);
+    }
+
+    void item(QTreeWidgetItem& item)
+    {
+        for (int i = 0; i < item.columnCount(); ++i) {
+            item.setText(i, said(item.text(i)));
+            item.setToolTip(i, said(item.toolTip(i)));
+        }
     }
 
     void property(const char* name)
     {
-        const int index = m_object.metaObject()->indexOfProperty(name);
-        if (index < 0 || !m_object.metaObject()->property(index).isWritable())
-            return;
         const QString shown = m_object.property(name).toString();
         const QString now = said(shown);
         if (now != shown)
             m_object.setProperty(name, now);
     }
 
-    const Phrasebook& m_book;
+    const Holders& m_phrases;
     QObject& m_object;
-    QByteArrayList m_contexts;
 };
 
-void retranslate(const Phrasebook& book, QObject& object)
+void retranslate(const Holders& phrases, QObject& object)
 {
-    Retranslator one(book, object);
+    Retranslator one(phrases, object);
     if (object.isWidgetType() || qobject_cast<QAction*>(&object) != nullptr)
         one.texts();
     if (auto* action = qobject_cast<QAction*>(&object))
@@ -165,18 +135,26 @@ void retranslate(const Phrasebook& book, QObject& object)
 
 } // namespace
 
-void retranslate(const Phrasebook& before)
+std::size_t qHash(const Phrase& phrase, std::size_t seed)
 {
+    return qHashMulti(seed, phrase.context, phrase.source, phrase.comment, phrase.count);
+}
+
+void retranslate(const SaidPhrases& before)
+{
+    Holders phrases;
+    for (auto said = before.constBegin(); said != before.constEnd(); ++said)
+        phrases[said->constData()] = &said.key();
     for (QWidget* window : QApplication::topLevelWidgets()) {
         if (window->parent() != nullptr)
             continue; // comes with that
-        retranslate(before, *window);
+        retranslate(phrases, *window);
         QList<QPointer<QObject>> objects; // a new text may do away with some
         for (QObject* object : window->findChildren<QObject*>())
             objects << object;
         for (const QPointer<QObject>& object : objects)
             if (object != nullptr)
-                retranslate(before, *object);
+                retranslate(phrases, *object);
     }
 }
 
