@@ -3,6 +3,7 @@
 #include "ui/language/retranslation.h"
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPointer>
@@ -36,7 +37,21 @@ const char* withoutNamespace(const char* context)
     return std::string_view(context).starts_with(name) ? context + name.size() : context;
 }
 
-/// Asks our translations, then those of Qt, and keeps what it says. Tasks say things too, on their threads.
+/// A text of the source code, as tr() asks for it.
+struct Phrase {
+    QByteArray context; ///< mostly the class that says it
+    QByteArray source;
+    QByteArray comment;
+    int count; ///< that decides between singular and plural; -1: none
+    friend bool operator==(const Phrase&, const Phrase&) = default;
+};
+
+std::size_t qHash(const Phrase& phrase, std::size_t seed = 0)
+{
+    return qHashMulti(seed, phrase.context, phrase.source, phrase.comment, phrase.count);
+}
+
+/// Asks our translations, then those of Qt, and notes what it says. Tasks say things too, on their threads.
 class Interpreter final : public QTranslator {
 public:
     using QTranslator::QTranslator;
@@ -48,16 +63,16 @@ public:
         const Phrase phrase{context, source, comment, count};
         const std::lock_guard lock(m_mutex);
         QString& said = m_said[phrase];
-        if (said.isNull()) {
-            said = inWords(context, source, comment, count);
-            if (const auto before = m_before.constFind(phrase); before != m_before.constEnd() && *before == said)
-                said = *before; // who shows it keeps it when given its like
-        }
+        if (said.isNull())
+            said = noted(inWords(context, source, comment, count), [phrase] {
+                return QCoreApplication::translate(phrase.context, phrase.source,
+                                                   phrase.comment.isNull() ? nullptr : phrase.comment.data(),
+                                                   phrase.count);
+            });
         return said;
     }
 
-    /// @return what was said in the language before, until the next change
-    const SaidPhrases& change(const QString& code)
+    void change(const QString& code)
     {
         auto own = std::make_unique<QTranslator>();
         auto qt = std::make_unique<QTranslator>();
@@ -70,8 +85,7 @@ public:
         m_code = code;
         m_own = std::move(own);
         m_qt = std::move(qt);
-        m_before = std::exchange(m_said, {});
-        return m_before;
+        m_said.clear();
     }
 
     const QString& code() const { return m_code; }
@@ -90,8 +104,7 @@ private:
     QString m_code;
     std::unique_ptr<QTranslator> m_own = std::make_unique<QTranslator>();
     std::unique_ptr<QTranslator> m_qt = std::make_unique<QTranslator>();
-    mutable SaidPhrases m_said; ///< in the language of now
-    SaidPhrases m_before;       ///< in the one before
+    mutable QHash<Phrase, QString> m_said; ///< one string for each, however often it is asked for
 };
 
 /// It goes with the application.
@@ -131,10 +144,10 @@ void speak(const QString& code)
     Interpreter& now = interpreter();
     if (now.code() == code || !isOurs(code))
         return;
-    const SaidPhrases& before = now.change(code);
+    now.change(code);
     QEvent change(QEvent::LanguageChange); // Qt's own texts, and who wants to know
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);
-    retranslate(before);
+    retranslate();
 }
 
 QString spokenLanguage()

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QLineEdit>
 #include <QMetaProperty>
 #include <QPointer>
@@ -14,19 +13,69 @@
 #include <QTreeWidgetItemIterator>
 #include <QWidget>
 
+#include <algorithm>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
 namespace knead {
 
 namespace {
 
-/// Phrases by the memory that their letters are in.
-using Holders = QHash<const QChar*, const Phrase*>;
+/// What was noted.
+class Notes {
+public:
+    void add(const QString& text, std::function<QString()> say)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_notes.size() >= m_most) {
+            std::erase_if(m_notes, [](const auto& note) { return note.second.text.isDetached(); }); // nobody has them
+            m_most = std::max(least, 2 * m_notes.size());
+        }
+        m_notes[text.constData()] = {text, std::move(say)};
+    }
+
+    /// In the language of now. What was not noted stays as it is.
+    QString anew(const QString& text) const
+    {
+        std::unique_lock lock(m_mutex);
+        const auto found = text.isEmpty() ? m_notes.end() : m_notes.find(text.constData());
+        if (found == m_notes.end())
+            return text;
+        const std::function<QString()> say = found->second.say;
+        lock.unlock(); // it notes things, too
+        return say();
+    }
+
+private:
+    static constexpr std::size_t least = 4096;
+
+    struct Note {
+        QString text; ///< which keeps its memory from becoming that of another
+        std::function<QString()> say;
+    };
+
+    mutable std::mutex m_mutex;
+    std::unordered_map<const QChar*, Note> m_notes; ///< by where their letters are
+    std::size_t m_most = least;
+};
+
+Notes& notes()
+{
+    static Notes all;
+    return all;
+}
+
+QString anew(const QString& shown)
+{
+    return notes().anew(shown);
+}
 
 /// One object's texts.
 class Retranslator {
 public:
-    Retranslator(const Holders& phrases, QObject& object)
-        : m_phrases(phrases)
-        , m_object(object)
+    explicit Retranslator(QObject& object)
+        : m_object(object)
     {
     }
 
@@ -44,7 +93,7 @@ public:
     void tip(QAction& action)
     {
         const QString shown = action.property(tipWithoutKeys).toString();
-        if (const QString now = said(shown); now != shown)
+        if (const QString now = anew(shown); now != shown)
             action.setToolTip(now);
     }
 
@@ -52,18 +101,18 @@ public:
     {
         const QSignalBlocker blocker(box); // what is chosen stays chosen
         for (int i = 0; i < box.count(); ++i) {
-            box.setItemText(i, said(box.itemText(i)));
+            box.setItemText(i, anew(box.itemText(i)));
             const QString tip = box.itemData(i, Qt::ToolTipRole).toString();
             if (!tip.isEmpty())
-                box.setItemData(i, said(tip), Qt::ToolTipRole);
+                box.setItemData(i, anew(tip), Qt::ToolTipRole);
         }
     }
 
     void tabs(QTabWidget& tabs)
     {
         for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setTabText(i, said(tabs.tabText(i)));
-            tabs.setTabToolTip(i, said(tabs.tabToolTip(i)));
+            tabs.setTabText(i, anew(tabs.tabText(i)));
+            tabs.setTabToolTip(i, anew(tabs.tabToolTip(i)));
         }
     }
 
@@ -79,46 +128,35 @@ public:
     {
         for (int i = 0; i < table.columnCount(); ++i)
             if (QTableWidgetItem* head = table.horizontalHeaderItem(i))
-                head->setText(said(head->text()));
+                head->setText(anew(head->text()));
         for (int i = 0; i < table.rowCount(); ++i)
             if (QTableWidgetItem* head = table.verticalHeaderItem(i))
-                head->setText(said(head->text()));
+                head->setText(anew(head->text()));
     }
 
 private:
-    QString said(const QString& shown) const
-    {
-        const Phrase* phrase = shown.isEmpty() ? nullptr : m_phrases.value(shown.constData());
-        return phrase == nullptr
-                   ? shown
-                   : QCoreApplication::translate(phrase->context, phrase->source,
-                                                 phrase->comment.isEmpty() ? nullptr : phrase->comment.data(),
-                                                 phrase->count);
-    }
-
     void item(QTreeWidgetItem& item)
     {
         for (int i = 0; i < item.columnCount(); ++i) {
-            item.setText(i, said(item.text(i)));
-            item.setToolTip(i, said(item.toolTip(i)));
+            item.setText(i, anew(item.text(i)));
+            item.setToolTip(i, anew(item.toolTip(i)));
         }
     }
 
     void property(const char* name)
     {
         const QString shown = m_object.property(name).toString();
-        const QString now = said(shown);
+        const QString now = anew(shown);
         if (now != shown)
             m_object.setProperty(name, now);
     }
 
-    const Holders& m_phrases;
     QObject& m_object;
 };
 
-void retranslate(const Holders& phrases, QObject& object)
+void retranslate(QObject& object)
 {
-    Retranslator one(phrases, object);
+    Retranslator one(object);
     if (object.isWidgetType() || qobject_cast<QAction*>(&object) != nullptr)
         one.texts();
     if (auto* action = qobject_cast<QAction*>(&object))
@@ -135,26 +173,25 @@ void retranslate(const Holders& phrases, QObject& object)
 
 } // namespace
 
-std::size_t qHash(const Phrase& phrase, std::size_t seed)
+QString noted(const QString& text, std::function<QString()> say)
 {
-    return qHashMulti(seed, phrase.context, phrase.source, phrase.comment, phrase.count);
+    if (!text.isEmpty())
+        notes().add(text, std::move(say));
+    return text;
 }
 
-void retranslate(const SaidPhrases& before)
+void retranslate()
 {
-    Holders phrases;
-    for (auto said = before.constBegin(); said != before.constEnd(); ++said)
-        phrases[said->constData()] = &said.key();
     for (QWidget* window : QApplication::topLevelWidgets()) {
         if (window->parent() != nullptr)
             continue; // comes with that
-        retranslate(phrases, *window);
+        retranslate(*window);
         QList<QPointer<QObject>> objects; // a new text may do away with some
         for (QObject* object : window->findChildren<QObject*>())
             objects << object;
         for (const QPointer<QObject>& object : objects)
             if (object != nullptr)
-                retranslate(phrases, *object);
+                retranslate(*object);
     }
 }
 
