@@ -1,6 +1,7 @@
 #include "io/project/project_reader.h"
 
 #include "core/message/message.h"
+#include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
 #include "io/project/project_fields.h"
@@ -80,6 +81,7 @@ Project ProjectReader::read()
     readStarts();
     m_control.report(0.5, "opening the history");
     readEntries();
+    readWords();
     readView();
     readMarks();
     readPanels();
@@ -321,6 +323,28 @@ void ProjectReader::readView()
         view.thumbnail = row.bytes(3);
         m_project.view = std::move(view);
     });
+}
+
+/// Earlier versions wrote none; and what such a version did to the entries since is what counts.
+void ProjectReader::readWords()
+{
+    bool isThere = false;
+    attempt(Message("Project", "what entries are called"), [&] { isThere = m_database.tableExists(entryWords.name); });
+    for (std::size_t id = 0; isThere && id < m_entries.size(); ++id)
+        attempt(Message("Project", "what entry %1 is called").with(id), [&] {
+            SQLite::Statement statement(m_database, std::string("SELECT id FROM ") + entryWords.name + " WHERE id = ?");
+            statement.bind(1, static_cast<std::int64_t>(id));
+            if (!m_entries[id] || !statement.executeStep())
+                return;
+            const Row row = rowAt(m_database, entryWords.name, static_cast<std::int64_t>(id));
+            HistoryRecord& record = m_project.entries[*m_entries[id]];
+            try {
+                if (Message words = messageFrom(nlohmann::json::parse(row.text(1))); words.english() == record.name)
+                    record.words = std::move(words);
+            } catch (const nlohmann::json::exception&) {
+                throw DamagedData(Message("Project", "it is no sentence"));
+            }
+        });
 }
 
 void ProjectReader::readMarks()

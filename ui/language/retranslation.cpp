@@ -66,11 +66,6 @@ Notes& notes()
     return all;
 }
 
-QString anew(const QString& shown)
-{
-    return notes().anew(shown);
-}
-
 /// One object's texts.
 class Retranslator {
 public:
@@ -93,7 +88,7 @@ public:
     void tip(QAction& action)
     {
         const QString shown = action.property(tipWithoutKeys).toString();
-        if (const QString now = anew(shown); now != shown)
+        if (const QString now = saidAnew(shown); now != shown)
             action.setToolTip(now);
     }
 
@@ -101,18 +96,18 @@ public:
     {
         const QSignalBlocker blocker(box); // what is chosen stays chosen
         for (int i = 0; i < box.count(); ++i) {
-            box.setItemText(i, anew(box.itemText(i)));
+            box.setItemText(i, saidAnew(box.itemText(i)));
             const QString tip = box.itemData(i, Qt::ToolTipRole).toString();
             if (!tip.isEmpty())
-                box.setItemData(i, anew(tip), Qt::ToolTipRole);
+                box.setItemData(i, saidAnew(tip), Qt::ToolTipRole);
         }
     }
 
     void tabs(QTabWidget& tabs)
     {
         for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setTabText(i, anew(tabs.tabText(i)));
-            tabs.setTabToolTip(i, anew(tabs.tabToolTip(i)));
+            tabs.setTabText(i, saidAnew(tabs.tabText(i)));
+            tabs.setTabToolTip(i, saidAnew(tabs.tabToolTip(i)));
         }
     }
 
@@ -128,25 +123,25 @@ public:
     {
         for (int i = 0; i < table.columnCount(); ++i)
             if (QTableWidgetItem* head = table.horizontalHeaderItem(i))
-                head->setText(anew(head->text()));
+                head->setText(saidAnew(head->text()));
         for (int i = 0; i < table.rowCount(); ++i)
             if (QTableWidgetItem* head = table.verticalHeaderItem(i))
-                head->setText(anew(head->text()));
+                head->setText(saidAnew(head->text()));
     }
 
 private:
     void item(QTreeWidgetItem& item)
     {
         for (int i = 0; i < item.columnCount(); ++i) {
-            item.setText(i, anew(item.text(i)));
-            item.setToolTip(i, anew(item.toolTip(i)));
+            item.setText(i, saidAnew(item.text(i)));
+            item.setToolTip(i, saidAnew(item.toolTip(i)));
         }
     }
 
     void property(const char* name)
     {
         const QString shown = m_object.property(name).toString();
-        const QString now = anew(shown);
+        const QString now = saidAnew(shown);
         if (now != shown)
             m_object.setProperty(name, now);
     }
@@ -178,6 +173,11 @@ QString noted(const QString& text, std::function<QString()> say)
     if (!text.isEmpty())
         notes().add(text, std::move(say));
     return text;
+}
+
+QString saidAnew(const QString& text)
+{
+    return notes().anew(text);
 }
 
 void retranslate()

@@ -15,6 +15,9 @@ inline constexpr const char* tipWithoutKeys = "tipWithoutKeys";
 /// @return the text
 QString noted(const QString& text, std::function<QString()> say);
 
+/// A text as it is said in the language spoken now; one that was not noted stays as it is. Any thread.
+QString saidAnew(const QString& text);
+
 /// Says what all windows show in the language spoken now: labels, buttons, menus, actions, titles, tips, choices, headings and
 /// lines of lists, as far as it was noted. What a person typed never was. Window thread.
 void retranslate();

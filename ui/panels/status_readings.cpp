@@ -1,5 +1,6 @@
 #include "ui/panels/status_readings.h"
 
+#include "ui/language/retranslation.h"
 #include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
@@ -188,6 +189,7 @@ void TaskReading::begin(const QString& title)
 
 void TaskReading::progress(double fraction, const QString& stage)
 {
+    m_title = saidAnew(m_title);
     m_stage->setText(stage.isEmpty() ? m_title : m_title + ": " + stage);
     m_bar->setValue(static_cast<int>(fraction * m_bar->maximum()));
 }

@@ -37,7 +37,7 @@ void slowToolsDown(Document& document)
     for (const ToolState& tool : document.frame()->snapshot->tools)
         document.post(ReshapeManipulator{tool.id, tool.size, tool.friction, slower * tool.speedLimit, tool.forceLimit,
                                          tool.kind, tool.part, tool.adhesion, tool.rollsFreely},
-                      SimulationFeature::tr("Slower tools"));
+                      Message("SimulationFeature", "Slower tools"));
     document.endGesture();
     document.reset();
 }
@@ -49,7 +49,7 @@ void dampMore(Document& document)
     for (BodyId body = 0; body < materials.size(); ++body) {
         Material material = materials[body];
         material.dampingRatio = std::clamp(2 * material.dampingRatio, leastDamping, largestDamping);
-        document.post(SetMaterial{body, material}, SimulationFeature::tr("More damping"));
+        document.post(SetMaterial{body, material}, Message("SimulationFeature", "More damping"));
     }
     document.endGesture();
     document.reset();

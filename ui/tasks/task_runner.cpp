@@ -50,10 +50,9 @@ struct TaskRunner::Task final : TaskControl {
             const std::lock_guard lock(mutex);
             wasCancelled = true;
         } catch (const std::bad_alloc&) {
-            fail(Message::verbatim(
-                TaskRunner::tr("%1: there is not enough memory. Close other programs, or choose a larger spacing.")
-                    .arg(title)
-                    .toStdString()));
+            fail(Message("TaskRunner",
+                         "%1: there is not enough memory. Close other programs, or choose a larger spacing.")
+                     .with(title.toStdString()));
         } catch (const std::exception& error) {
             fail(messageOf(error));
         }
