@@ -331,7 +331,7 @@ private slots:
                      QString("Speicher und Sicherheit"));
         for (const char* name : {"filmBack", "filmRate-0"})
             QCOMPARE(action(name)->property("whyDisabled").toString(),
-                     QString("Simulieren Sie zuerst etwas, und sehen Sie darauf zurück."));
+                     QString("Zuerst etwas simulieren und darauf zurücksehen."));
         rest(500);
         picture("german");
         dialog()->close();

@@ -3,6 +3,7 @@
 #include "core/message/message.h"
 #include "ui/language/said.h"
 
+#include <QCoreApplication>
 #include <QTimer>
 
 #include <atomic>
@@ -141,9 +142,9 @@ void TaskRunner::poll()
     if (!task->done) {
         std::unique_lock lock(task->mutex);
         const double fraction = task->fraction;
-        const QString stage = QString::fromStdString(task->stage);
+        const std::string stage = task->stage;
         lock.unlock();
-        emit progressed(fraction, stage);
+        emit progressed(fraction, stage.empty() ? QString() : QCoreApplication::translate("Stage", stage.c_str()));
         return;
     }
     end();
