@@ -51,17 +51,6 @@ std::uint64_t countIn(const Row& row, std::size_t column)
     return static_cast<std::uint64_t>(number);
 }
 
-/// Sentences of readers go on in a longer one.
-Message withoutStop(const std::runtime_error& error)
-{
-    std::string sentence = error.what();
-    if (!sentence.ends_with('.'))
-        return messageOf(error);
-    while (sentence.ends_with('.'))
-        sentence.pop_back();
-    return Message::verbatim(sentence);
-}
-
 } // namespace
 
 ProjectReader::ProjectReader(SQLite::Database& database, const ReadingChoices& choices, TaskControl& control)
@@ -99,7 +88,7 @@ bool ProjectReader::attempt(const Message& what, const std::function<void()>& re
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        const Message sentence = Message::verbatim("%1 (%2)").with(what, withoutStop(error));
+        const Message sentence = Message::verbatim("%1 (%2)").with(what, messageOf(error));
         if (!m_choices.rescues)
             throw DamagedData(sentence);
         m_missing.push_back(sentence);

@@ -21,9 +21,14 @@ constexpr double realTime = 0.95; // from here on the ratio counts as real time
 
 } // namespace
 
+Message ratioWords(double ratio)
+{
+    return Message("QObject", "%1x real time").with(QString::number(ratio, 'f', ratio < 0.1 ? 3 : 2).toStdString());
+}
+
 QString ratioText(double ratio)
 {
-    return QObject::tr("%1x real time").arg(ratio, 0, 'f', ratio < 0.1 ? 3 : 2);
+    return said(ratioWords(ratio));
 }
 
 StatusReadings::StatusReadings(QWidget* parent)

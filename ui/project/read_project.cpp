@@ -62,9 +62,9 @@ std::string nameOf(const std::string& path)
     return std::filesystem::path(path).filename().string();
 }
 
-Message about(const std::string& path, const QString& sentence)
+Message about(const std::string& path, const Message& sentence)
 {
-    return Message::verbatim(sentence.arg(QString::fromStdString(nameOf(path))).toStdString());
+    return sentence.with(nameOf(path));
 }
 
 /// The file of recovered work may have been written since, or be another window's by now: then the work has none.
@@ -75,8 +75,9 @@ void takeFileOf(const WorkState& state, const ProjectRequest& request, const Pro
         return;
     if (state.isFileReplaced) {
         result.sentence =
-            about(state.projectFile, ReadWords::tr("%1 was written after this work was cut off, and stays as it is: "
-                                                   "save the work under a name of its own, or in place of that file."));
+            about(state.projectFile,
+                  Message("ReadWords", "%1 was written after this work was cut off, and stays as it is: "
+                                       "save the work under a name of its own, or in place of that file."));
         return;
     }
     try {
@@ -92,8 +93,9 @@ void letGoOfFile(ReadProject& result)
 {
     if (result.path.empty())
         return;
-    result.sentence = about(result.path, ReadWords::tr("%1 stays as it is, since the recovered work is not whole: save "
-                                                       "the work under a name of its own, or in place of that file."));
+    result.sentence =
+        about(result.path, Message("ReadWords", "%1 stays as it is, since the recovered work is not whole: save "
+                                                "the work under a name of its own, or in place of that file."));
     result.path.clear();
     result.lock.reset();
 }
