@@ -117,7 +117,7 @@ void MaterialPanel::makeMaterialRows()
             const MaterialField& row = fieldOf(value);
             QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
             field->setRange(row.minimum, row.maximum);
-            field->setTip(tr("%1 to %2, with any unit; 1.2e6 and 1,2 are taken too"));
+            field->setTip(Message("MaterialPanel", "%1 to %2, with any unit; 1.2e6 and 1,2 are taken too"));
             if (*row.zero != '\0')
                 field->setZeroText(tr(row.zero));
             connect(field, &QuantityField::committed, this, [this, value](double number) { commit(value, number); });
