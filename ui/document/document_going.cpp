@@ -264,7 +264,7 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
     const std::uint32_t resets = resetsIn(branch.gesture.commands);
-    m_history.expect(Message("Document", "Branch at %1").with(timeWords(moment->time)))(std::move(branch.gesture));
+    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->time)))(std::move(branch.gesture));
     goInSimulation(moment);
     if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
         m_playback.repeat(from, moment->step, resets);

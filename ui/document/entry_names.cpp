@@ -240,10 +240,10 @@ Message nameOf(const Command& command, const FilledModel& content, const Snapsho
 
 Message simulatedName(double seconds)
 {
-    return Message("EntryNames", "Simulate %1").with(timeWords(seconds));
+    return Message("EntryNames", "Simulate %1").with(timePhrase(seconds));
 }
 
-Message timeWords(double seconds)
+Message timePhrase(double seconds)
 {
     const auto number = [](double value, int digits) { return QString::number(value, 'f', digits).toStdString(); };
     if (seconds == 0)
@@ -255,7 +255,7 @@ Message timeWords(double seconds)
 
 QString timeText(double seconds)
 {
-    return said(timeWords(seconds));
+    return said(timePhrase(seconds));
 }
 
 QString mergeKeyOf(const Command& command)

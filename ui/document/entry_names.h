@@ -40,7 +40,7 @@ Message nameOf(const Command& command, const FilledModel& content, const Snapsho
 Message simulatedName(double seconds);
 
 /// "3.2 s", "41 ms": simulated time with as many digits as help.
-Message timeWords(double seconds);
+Message timePhrase(double seconds);
 QString timeText(double seconds); ///< the same, said
 
 /// What commands have in common that are one entry when they follow each other within a second: moves of one tool. Empty for

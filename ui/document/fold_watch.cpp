@@ -181,7 +181,7 @@ void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
     const std::vector<Fold> before = std::exchange(m_folds, std::move(folds));
     for (const Fold& fold : m_folds)
         if (std::ranges::find(before, fold.body, &Fold::body) == before.end())
-            emit said(said(
+            emit said(knead::said(
                 Message(
                     "FoldWatch",
                     "%1 is folded over itself near (%2): material was pushed over material, and its faces cross there "

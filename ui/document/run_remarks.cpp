@@ -46,7 +46,7 @@ void RunRemarks::lookAtPace()
                       m_document.speed()))
         return;
     const StallWatch::Stall stall = m_stall.stall();
-    emit said(said(
+    emit said(knead::said(
         Message(
             "RunRemarks",
             "Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower "
