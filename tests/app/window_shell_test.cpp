@@ -3,6 +3,7 @@
 #include "ui/commands/listed_actions.h"
 #include "ui/help/tour.h"
 #include "ui/language/language.h"
+#include "ui/language/said.h"
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/preferences/preferences_dialog.h"
@@ -316,6 +317,9 @@ private slots:
         QMap<QString, QString> english;
         for (const QAction* action : m_window->actions())
             english[action->objectName()] = action->text();
+        emit document().notice(
+            said(Message("Document", "Something is called \"%1\" already: choose another name.").with("Block 1")));
+        QTRY_VERIFY(find<QLabel>("bannerText")->text().startsWith("Something is called"));
         action("preferences")->trigger();
         QTRY_VERIFY(dialog() != nullptr);
         pick("preferenceLanguage", "Deutsch");
@@ -343,6 +347,8 @@ private slots:
         QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(", ")));
         for (const char* name : {"selectAll", "fixSelection", "section", "colorParts", "pull", "compareWithOriginal"})
             QVERIFY2(action(name)->text() != english[name], name);
+        QCOMPARE(find<QLabel>("bannerText")->text(),
+                 QString("Etwas heißt schon „Block 1“: einen anderen Namen wählen."));
         QTRY_VERIFY2(leftInEnglish().isEmpty(), qPrintable(leftInEnglish().join("; ")));
         QTRY_COMPARE(find<QTreeWidget>("historyTree")->topLevelItem(0)->text(0), QString("bracket.step importieren"));
         for (const char* code : {"fr", "nl", "en"}) {

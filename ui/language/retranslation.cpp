@@ -3,8 +3,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QLineEdit>
-#include <QMetaProperty>
 #include <QPointer>
 #include <QSignalBlocker>
 #include <QTabWidget>
@@ -66,104 +64,88 @@ Notes& notes()
     return all;
 }
 
-/// One object's texts.
-class Retranslator {
-public:
-    explicit Retranslator(QObject& object)
-        : m_object(object)
-    {
-    }
+/// Of what shows a text: has it show that in the language of now.
+template <class Setting>
+void again(const QString& shown, const Setting& set)
+{
+    if (const QString now = saidAnew(shown); now != shown)
+        set(now);
+}
 
-    void texts()
-    {
-        for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
-                                 "prefix", "suffix", "specialValueText", "accessibleName", "whyDisabled"}) {
-            if (QByteArrayView(name) == "text" && qobject_cast<QLineEdit*>(&m_object) != nullptr)
-                continue; // a person's
-            property(name);
-        }
-    }
+void sayProperties(QObject& object)
+{
+    for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
+                             "prefix", "suffix", "specialValueText", "accessibleName", "whyDisabled"})
+        again(object.property(name).toString(), [&](const QString& now) { object.setProperty(name, now); });
+}
 
-    /// A tip to which keys were added; who added them does so again.
-    void tip(QAction& action)
-    {
-        const QString shown = action.property(tipWithoutKeys).toString();
-        if (const QString now = saidAnew(shown); now != shown)
-            action.setToolTip(now);
-    }
+/// A tip to which keys were added; who added them does so again.
+void sayTip(QAction& action)
+{
+    again(action.property(tipWithoutKeys).toString(), [&](const QString& now) { action.setToolTip(now); });
+}
 
-    void choices(QComboBox& box)
-    {
-        const QSignalBlocker blocker(box); // what is chosen stays chosen
-        for (int i = 0; i < box.count(); ++i) {
-            box.setItemText(i, saidAnew(box.itemText(i)));
-            const QString tip = box.itemData(i, Qt::ToolTipRole).toString();
-            if (!tip.isEmpty())
-                box.setItemData(i, saidAnew(tip), Qt::ToolTipRole);
-        }
-    }
+void sayChoices(QComboBox& box)
+{
+    const QSignalBlocker blocker(box); // what is chosen stays chosen
+    for (int i = 0; i < box.count(); ++i)
+        for (const int role : {int{Qt::DisplayRole}, int{Qt::ToolTipRole}})
+            again(box.itemData(i, role).toString(), [&](const QString& now) { box.setItemData(i, now, role); });
+}
 
-    void tabs(QTabWidget& tabs)
-    {
-        for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setTabText(i, saidAnew(tabs.tabText(i)));
-            tabs.setTabToolTip(i, saidAnew(tabs.tabToolTip(i)));
-        }
+void sayTabs(QTabWidget& tabs)
+{
+    for (int i = 0; i < tabs.count(); ++i) {
+        again(tabs.tabText(i), [&](const QString& now) { tabs.setTabText(i, now); });
+        again(tabs.tabToolTip(i), [&](const QString& now) { tabs.setTabToolTip(i, now); });
     }
+}
 
-    void outline(QTreeWidget& tree)
-    {
-        const QSignalBlocker blocker(tree); // nothing was edited
-        item(*tree.headerItem());
-        for (QTreeWidgetItemIterator one(&tree); *one != nullptr; ++one)
-            item(**one);
+void sayLine(QTreeWidgetItem& item)
+{
+    for (int i = 0; i < item.columnCount(); ++i) {
+        again(item.text(i), [&](const QString& now) { item.setText(i, now); });
+        again(item.toolTip(i), [&](const QString& now) { item.setToolTip(i, now); });
     }
+}
 
-    void headings(QTableWidget& table)
-    {
-        for (int i = 0; i < table.columnCount(); ++i)
-            if (QTableWidgetItem* head = table.horizontalHeaderItem(i))
-                head->setText(saidAnew(head->text()));
-        for (int i = 0; i < table.rowCount(); ++i)
-            if (QTableWidgetItem* head = table.verticalHeaderItem(i))
-                head->setText(saidAnew(head->text()));
-    }
+void sayLines(QTreeWidget& tree)
+{
+    const QSignalBlocker blocker(tree); // nothing was edited
+    sayLine(*tree.headerItem());
+    for (QTreeWidgetItemIterator one(&tree); *one != nullptr; ++one)
+        sayLine(**one);
+}
 
-private:
-    void item(QTreeWidgetItem& item)
-    {
-        for (int i = 0; i < item.columnCount(); ++i) {
-            item.setText(i, saidAnew(item.text(i)));
-            item.setToolTip(i, saidAnew(item.toolTip(i)));
-        }
-    }
+void sayHeading(QTableWidgetItem* heading)
+{
+    if (heading != nullptr)
+        again(heading->text(), [&](const QString& now) { heading->setText(now); });
+}
 
-    void property(const char* name)
-    {
-        const QString shown = m_object.property(name).toString();
-        const QString now = saidAnew(shown);
-        if (now != shown)
-            m_object.setProperty(name, now);
-    }
-
-    QObject& m_object;
-};
+void sayHeadings(const QTableWidget& table)
+{
+    for (int i = 0; i < table.columnCount(); ++i)
+        sayHeading(table.horizontalHeaderItem(i));
+    for (int i = 0; i < table.rowCount(); ++i)
+        sayHeading(table.verticalHeaderItem(i));
+}
 
 void retranslate(QObject& object)
 {
-    Retranslator one(object);
-    if (object.isWidgetType() || qobject_cast<QAction*>(&object) != nullptr)
-        one.texts();
-    if (auto* action = qobject_cast<QAction*>(&object))
-        one.tip(*action);
+    auto* action = qobject_cast<QAction*>(&object);
+    if (object.isWidgetType() || action != nullptr)
+        sayProperties(object);
+    if (action != nullptr)
+        sayTip(*action);
     else if (auto* box = qobject_cast<QComboBox*>(&object))
-        one.choices(*box);
+        sayChoices(*box);
     else if (auto* tabs = qobject_cast<QTabWidget*>(&object))
-        one.tabs(*tabs);
+        sayTabs(*tabs);
     else if (auto* tree = qobject_cast<QTreeWidget*>(&object))
-        one.outline(*tree);
-    else if (auto* table = qobject_cast<QTableWidget*>(&object))
-        one.headings(*table);
+        sayLines(*tree);
+    else if (const auto* table = qobject_cast<QTableWidget*>(&object))
+        sayHeadings(*table);
 }
 
 } // namespace
