@@ -37,7 +37,7 @@ std::string jsonOf(const Value& value)
     return jsonOf(value, none);
 }
 
-std::string jsonText(const Message& message)
+std::string wordsJson(const Message& message)
 {
     return toJson(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -191,7 +191,7 @@ void ProjectTables::putEntry(std::uint32_t entry, const HistoryRecord& record)
     if (record.words.empty())
         dropRow(m_database, entryWords.name, entry);
     else
-        putRow(m_database, entryWords.name, {std::int64_t{entry}, jsonText(record.words)});
+        putRow(m_database, entryWords.name, {std::int64_t{entry}, wordsJson(record.words)});
 }
 
 void ProjectTables::setCurrent(std::uint32_t entry)

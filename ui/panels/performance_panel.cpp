@@ -58,21 +58,22 @@ const std::array<StageLook, stageCount + 1>& looks()
     return all;
 }
 
-std::string digits(double number, int decimals)
+std::string withDecimals(double number, int decimals)
 {
     return QString::number(number, 'f', decimals).toStdString();
 }
 
 QString milliseconds(double seconds)
 {
-    return said(Message("PerformancePanel", "%1 ms").with(digits(1e3 * seconds, 2)));
+    return said(Message("PerformancePanel", "%1 ms").with(withDecimals(1e3 * seconds, 2)));
 }
 
 QString perStep(double seconds)
 {
-    return said(seconds < 1e-3
-                    ? Message("PerformancePanel", "%1 µs/step").with(digits(1e6 * seconds, seconds < 1e-5 ? 1 : 0))
-                    : Message("PerformancePanel", "%1 ms/step").with(digits(1e3 * seconds, 2)));
+    return said(
+        seconds < 1e-3
+            ? Message("PerformancePanel", "%1 µs/step").with(withDecimals(1e6 * seconds, seconds < 1e-5 ? 1 : 0))
+            : Message("PerformancePanel", "%1 ms/step").with(withDecimals(1e3 * seconds, 2)));
 }
 
 QLabel* dimmed(QWidget* parent)
@@ -211,9 +212,10 @@ void PerformancePanel::showStages(const Snapshot& snapshot)
         m_rates->setText(said(Message("PerformancePanel", "%1 iterations of the solver in the last step, %2 objects")
                                   .with(snapshot.solverIterations, formatCount(snapshot.objects).toStdString())));
     else if (stepping > 0)
-        m_rates->setText(said(Message("PerformancePanel", "%1 million connections per second, %2 objects")
-                                  .with(digits(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0),
-                                        formatCount(snapshot.objects).toStdString())));
+        m_rates->setText(
+            said(Message("PerformancePanel", "%1 million connections per second, %2 objects")
+                     .with(withDecimals(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0),
+                           formatCount(snapshot.objects).toStdString())));
     for (std::size_t stage = 0; stage < m_rows.size(); ++stage) {
         m_rows[stage].frame->setText(milliseconds(m_smooth[stage]));
         m_rows[stage].step->setText(stage < stageCount ? perStep(m_smooth[stage] / steps) : QString());
