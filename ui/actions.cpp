@@ -38,9 +38,8 @@ QAction* make(QWidget* window, const Look& look)
     action->setShortcuts(look.keys);
     action->setCheckable(look.checkable);
     action->setChecked(look.checked);
-    const QString tip = look.tip != nullptr ? tr(look.tip) : action->toolTip();
-    const QString keys = QKeySequence::listToString(look.keys, QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys));
+    if (look.tip != nullptr)
+        action->setToolTip(tr(look.tip));
     window->addAction(action);
     return action;
 }

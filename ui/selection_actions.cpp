@@ -33,9 +33,7 @@ QAction* make(QWidget* window, const Look& look)
         action->setIcon(icon(look.icon));
     action->setShortcut(look.keys);
     action->setCheckable(look.checkable);
-    action->setToolTip(look.keys.isEmpty()
-                           ? tr(look.tip)
-                           : QStringLiteral("%1 (%2)").arg(tr(look.tip), look.keys.toString(QKeySequence::NativeText)));
+    action->setToolTip(tr(look.tip));
     window->addAction(action);
     return action;
 }

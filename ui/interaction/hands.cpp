@@ -37,8 +37,7 @@ QAction* Hands::make(const char* name, const QString& text, const char* picture,
     action->setObjectName(name);
     action->setShortcut(key);
     action->setCheckable(isCheckable);
-    const QString keyText = key.toString(QKeySequence::NativeText);
-    action->setToolTip(keyText.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keyText));
+    action->setToolTip(tip);
     m_window->addAction(action);
     return action;
 }

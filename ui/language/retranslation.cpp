@@ -1,13 +1,8 @@
 #include "ui/language/retranslation.h"
 
-#include "ui/language/phrasebook.h"
-#include "ui/language/tip_properties.h"
-
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QLineEdit>
-#include <QMetaProperty>
 #include <QPointer>
 #include <QSignalBlocker>
 #include <QTabWidget>
@@ -16,167 +11,169 @@
 #include <QTreeWidgetItemIterator>
 #include <QWidget>
 
+#include <algorithm>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
 namespace knead {
 
 namespace {
 
-QString say(const Phrase& phrase, int count)
-{
-    return QCoreApplication::translate(phrase.context, phrase.source,
-                                       phrase.comment.isEmpty() ? nullptr : phrase.comment.data(), count);
-}
-
-/// Classes of an object and of all it is in.
-QByteArrayList contextsOf(const QObject* object)
-{
-    QByteArrayList contexts;
-    for (; object != nullptr; object = object->parent())
-        for (const QMetaObject* kind = object->metaObject(); kind != nullptr; kind = kind->superClass())
-            contexts << kind->className();
-    return contexts;
-}
-
-/// One object's texts.
-class Retranslator {
+/// What was noted.
+class Notes {
 public:
-    Retranslator(const Phrasebook& book, QObject& object)
-        : m_book(book)
-        , m_object(object)
-        , m_contexts(contextsOf(&object))
+    void add(const QString& text, std::function<QString()> say)
     {
-    }
-
-    void texts()
-    {
-        for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
-                                 "prefix", "suffix", "specialValueText", "accessibleName"}) {
-            if (QByteArrayView(name) == "text" && qobject_cast<QLineEdit*>(&m_object) != nullptr)
-                continue; // a person's
-            property(name);
+        const std::lock_guard lock(m_mutex);
+        if (m_notes.size() >= m_most) {
+            std::erase_if(m_notes, [](const auto& note) { return note.second.text.isDetached(); }); // nobody has them
+            m_most = std::max(least, 2 * m_notes.size());
         }
+        m_notes[text.constData()] = {text, std::move(say)};
     }
 
-    /// Tips to which keys were added; who added them does so again.
-    void tip(QAction& action)
+    /// In the language of now. What was not noted stays as it is.
+    QString anew(const QString& text) const
     {
-        const QString shown = action.property(tip_properties::withoutKeys).toString();
-        if (!shown.isEmpty() && !action.property(tip_properties::isText).toBool())
-            action.setToolTip(said(shown));
-        const QString why = action.property("whyDisabled").toString();
-        if (!why.isEmpty())
-            action.setProperty("whyDisabled", said(why));
-    }
-
-    void choices(QComboBox& box)
-    {
-        const QSignalBlocker blocker(box); // what is chosen stays chosen
-        for (int i = 0; i < box.count(); ++i) {
-            box.setItemText(i, said(box.itemText(i)));
-            const QString tip = box.itemData(i, Qt::ToolTipRole).toString();
-            if (!tip.isEmpty())
-                box.setItemData(i, said(tip), Qt::ToolTipRole);
-        }
-    }
-
-    void tabs(QTabWidget& tabs)
-    {
-        for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setTabText(i, said(tabs.tabText(i)));
-            tabs.setTabToolTip(i, said(tabs.tabToolTip(i)));
-        }
-    }
-
-    void outline(QTreeWidget& tree)
-    {
-        const QSignalBlocker blocker(tree); // nothing was edited
-        headings(tree);
-        items(tree);
-    }
-
-    void headings(QTreeWidget& tree)
-    {
-        QTreeWidgetItem* head = tree.headerItem();
-        for (int i = 0; i < tree.columnCount(); ++i) {
-            head->setText(i, said(head->text(i)));
-            head->setToolTip(i, said(head->toolTip(i)));
-        }
-    }
-
-    /// What the tree itself says, as "Tools"; what a person may rename is hers.
-    void items(QTreeWidget& tree)
-    {
-        for (QTreeWidgetItemIterator item(&tree); *item != nullptr; ++item)
-            for (int i = 0; i < tree.columnCount(); ++i) {
-                (*item)->setToolTip(i, said((*item)->toolTip(i)));
-                const bool isHers = (*item)->flags().testFlag(Qt::ItemIsEditable);
-                if (const auto own = m_book.ownPhrase((*item)->text(i), m_contexts, say); own && !isHers)
-                    (*item)->setText(i, *own);
-            }
-    }
-
-    void headings(QTableWidget& table)
-    {
-        for (int i = 0; i < table.columnCount(); ++i)
-            if (QTableWidgetItem* head = table.horizontalHeaderItem(i))
-                head->setText(said(head->text()));
-        for (int i = 0; i < table.rowCount(); ++i)
-            if (QTableWidgetItem* head = table.verticalHeaderItem(i))
-                head->setText(said(head->text()));
+        std::unique_lock lock(m_mutex);
+        const auto found = text.isEmpty() ? m_notes.end() : m_notes.find(text.constData());
+        if (found == m_notes.end())
+            return text;
+        const std::function<QString()> say = found->second.say;
+        lock.unlock(); // it notes things, too
+        return say();
     }
 
 private:
-    QString said(const QString& shown) const
-    {
-        return shown.isEmpty() ? shown : m_book.translated(shown, m_contexts, say);
-    }
+    static constexpr std::size_t least = 4096;
 
-    void property(const char* name)
-    {
-        const int index = m_object.metaObject()->indexOfProperty(name);
-        if (index < 0 || !m_object.metaObject()->property(index).isWritable())
-            return;
-        const QString shown = m_object.property(name).toString();
-        const QString now = said(shown);
-        if (now != shown)
-            m_object.setProperty(name, now);
-    }
+    struct Note {
+        QString text; ///< which keeps its memory from becoming that of another
+        std::function<QString()> say;
+    };
 
-    const Phrasebook& m_book;
-    QObject& m_object;
-    QByteArrayList m_contexts;
+    mutable std::mutex m_mutex;
+    std::unordered_map<const QChar*, Note> m_notes; ///< by where their letters are
+    std::size_t m_most = least;
 };
 
-void retranslate(const Phrasebook& book, QObject& object)
+Notes& notes()
 {
-    Retranslator one(book, object);
-    if (object.isWidgetType() || qobject_cast<QAction*>(&object) != nullptr)
-        one.texts();
-    if (auto* action = qobject_cast<QAction*>(&object))
-        one.tip(*action);
+    static Notes all;
+    return all;
+}
+
+/// Of what shows a text: has it show that in the language of now.
+template <class Setting>
+void again(const QString& shown, const Setting& set)
+{
+    if (const QString now = saidAnew(shown); now != shown)
+        set(now);
+}
+
+void sayProperties(QObject& object)
+{
+    for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
+                             "prefix", "suffix", "specialValueText", "accessibleName", "whyDisabled"})
+        again(object.property(name).toString(), [&](const QString& now) { object.setProperty(name, now); });
+}
+
+/// A tip to which keys were added; who added them does so again.
+void sayTip(QAction& action)
+{
+    again(action.property(tipWithoutKeys).toString(), [&](const QString& now) { action.setToolTip(now); });
+}
+
+void sayChoices(QComboBox& box)
+{
+    const QSignalBlocker blocker(box); // what is chosen stays chosen
+    for (int i = 0; i < box.count(); ++i)
+        for (const int role : {int{Qt::DisplayRole}, int{Qt::ToolTipRole}})
+            again(box.itemData(i, role).toString(), [&](const QString& now) { box.setItemData(i, now, role); });
+}
+
+void sayTabs(QTabWidget& tabs)
+{
+    for (int i = 0; i < tabs.count(); ++i) {
+        again(tabs.tabText(i), [&](const QString& now) { tabs.setTabText(i, now); });
+        again(tabs.tabToolTip(i), [&](const QString& now) { tabs.setTabToolTip(i, now); });
+    }
+}
+
+void sayLine(QTreeWidgetItem& item)
+{
+    for (int i = 0; i < item.columnCount(); ++i) {
+        again(item.text(i), [&](const QString& now) { item.setText(i, now); });
+        again(item.toolTip(i), [&](const QString& now) { item.setToolTip(i, now); });
+    }
+}
+
+void sayLines(QTreeWidget& tree)
+{
+    const QSignalBlocker blocker(tree); // nothing was edited
+    sayLine(*tree.headerItem());
+    for (QTreeWidgetItemIterator one(&tree); *one != nullptr; ++one)
+        sayLine(**one);
+}
+
+void sayHeading(QTableWidgetItem* heading)
+{
+    if (heading != nullptr)
+        again(heading->text(), [&](const QString& now) { heading->setText(now); });
+}
+
+void sayHeadings(const QTableWidget& table)
+{
+    for (int i = 0; i < table.columnCount(); ++i)
+        sayHeading(table.horizontalHeaderItem(i));
+    for (int i = 0; i < table.rowCount(); ++i)
+        sayHeading(table.verticalHeaderItem(i));
+}
+
+void retranslate(QObject& object)
+{
+    auto* action = qobject_cast<QAction*>(&object);
+    if (object.isWidgetType() || action != nullptr)
+        sayProperties(object);
+    if (action != nullptr)
+        sayTip(*action);
     else if (auto* box = qobject_cast<QComboBox*>(&object))
-        one.choices(*box);
+        sayChoices(*box);
     else if (auto* tabs = qobject_cast<QTabWidget*>(&object))
-        one.tabs(*tabs);
+        sayTabs(*tabs);
     else if (auto* tree = qobject_cast<QTreeWidget*>(&object))
-        one.outline(*tree);
-    else if (auto* table = qobject_cast<QTableWidget*>(&object))
-        one.headings(*table);
+        sayLines(*tree);
+    else if (const auto* table = qobject_cast<QTableWidget*>(&object))
+        sayHeadings(*table);
 }
 
 } // namespace
 
-void retranslate(const Phrasebook& before)
+QString noted(const QString& text, std::function<QString()> say)
+{
+    if (!text.isEmpty())
+        notes().add(text, std::move(say));
+    return text;
+}
+
+QString saidAnew(const QString& text)
+{
+    return notes().anew(text);
+}
+
+void retranslate()
 {
     for (QWidget* window : QApplication::topLevelWidgets()) {
         if (window->parent() != nullptr)
             continue; // comes with that
-        retranslate(before, *window);
+        retranslate(*window);
         QList<QPointer<QObject>> objects; // a new text may do away with some
         for (QObject* object : window->findChildren<QObject*>())
             objects << object;
         for (const QPointer<QObject>& object : objects)
             if (object != nullptr)
-                retranslate(before, *object);
+                retranslate(*object);
     }
 }
 

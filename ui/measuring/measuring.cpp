@@ -81,10 +81,8 @@ void Measuring::makeActions(QWidget* window)
         auto* action = new QAction(icon(look.icon), text(look.text), window);
         action->setObjectName(look.name);
         action->setToolTip(text(look.tip));
-        if (look.kind == MeasureKind::distance) {
+        if (look.kind == MeasureKind::distance)
             action->setShortcut(QKeySequence(distanceKey));
-            action->setToolTip(QStringLiteral("%1 (%2)").arg(text(look.tip), distanceKey));
-        }
         window->addAction(action);
         addPickAction(action, look.picks,
                       [this, kind = look.kind](const std::vector<SkinPlace>& places) { m_list->add(kind, places); });
@@ -92,7 +90,7 @@ void Measuring::makeActions(QWidget* window)
     m_compare = new QAction(icon("compare-two"), tr("Compare with original..."), window);
     m_compare->setObjectName("compareWithOriginal");
     m_compare->setShortcut(QKeySequence("Shift+M"));
-    m_compare->setToolTip(tr("Largest and mean distance, volume and mass beside the original, and a report (Shift+M)"));
+    m_compare->setToolTip(tr("Largest and mean distance, volume and mass beside the original, and a report"));
     window->addAction(m_compare);
 }
 
