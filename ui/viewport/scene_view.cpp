@@ -1,3 +1,4 @@
+#include "ui/viewport/picker.h"
 #include "ui/viewport/scene_view_parts.h"
 
 #include <vtkCamera.h>
@@ -37,6 +38,8 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->cube = std::make_unique<ViewCube>(window);
     m_parts->grid = std::make_unique<GridActor>(m_parts->renderer);
     m_parts->grid->setVisible(false);
+    m_parts->shadow = std::make_unique<GroundShadowActor>(m_parts->renderer);
+    m_parts->shadow->setVisible(false);
     m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
     m_parts->fields = std::make_unique<SurfaceFieldActors>(m_parts->renderer);
     m_parts->openEdges->setClipping(m_parts->fields->clippingOfStill());
@@ -116,6 +119,7 @@ void SceneView::showFrame(const FramePointer& frame)
     }
     m_parts->fields->showFrame(frame);
     showTools();
+    m_isShadowNew = true;
     const double height = frame->snapshot->floorHeight.value_or(m_restBox.min().z());
     if (height != m_gridHeight) {
         m_gridHeight = height;
@@ -253,11 +257,41 @@ void SceneView::layGrid()
     m_parts->grid->setVisible(m_options.grid && m_model);
     if (m_model)
         m_parts->grid->lay(m_restBox, m_gridHeight, m_style.grid);
+    m_parts->shadow->setVisible(m_options.grid && m_model);
+    m_isShadowNew = true;
+}
+
+/// Before a drawing, where something has moved since.
+void SceneView::layShadow()
+{
+    if (!m_options.grid || !m_model || !std::exchange(m_isShadowNew, false))
+        return;
+    std::vector<ShadowCaster> casters;
+    const auto isSeen = [this](const FilledBody& body) { return !m_options.hiddenParts.contains(body.part); };
+    if (m_frame)
+        for (BodyId b = 0; b < m_bodies.size(); ++b)
+            if (isSeen(*m_bodies[b]))
+                casters.push_back({m_bodies[b]->render.triangles, m_frame->bodies[b]->points});
+    for (const auto& surface : m_surfaces)
+        if (isSeen(*surface->body))
+            casters.push_back({surface->body->render.triangles, surface->frame.points});
+    std::vector<ShadowProbe> probes;
+    if (m_frame)
+        for (const ToolState& tool : m_frame->snapshot->tools) {
+            const Vec3 reach = Vec3::Constant(0.5 * tool.size.norm());
+            probes.push_back({Box(tool.pose.position - reach, tool.pose.position + reach), [&tool](const Vec3& place) {
+                                  const Ray up{place, Vec3::UnitZ()};
+                                  return pickTool(up, {tool.kind, tool.size, tool.part}, tool.pose).value_or(-1);
+                              }});
+        }
+    m_parts->shadow->lay(groundShadow(casters, probes, m_gridHeight), m_gridHeight);
 }
 
 void SceneView::setCamera(const Camera& camera)
 {
     m_camera = camera;
+    layShadow();
+    m_parts->shadow->comeLast();
     m_parts->grid->comeLast();
     vtkCamera* eye = m_parts->renderer->GetActiveCamera();
     eye->SetPosition(camera.eye().data());

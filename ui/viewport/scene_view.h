@@ -131,6 +131,7 @@ private:
     void takeSurfaces(const FilledBodies& before);
     void showTools();
     void layGrid();
+    void layShadow();
     void showBodies();
     void showOpenEdges();
     void clipToScene();
@@ -149,6 +150,7 @@ private:
     PartAppearance m_appearance;
     Camera m_camera;
     double m_gridHeight = 0;
+    bool m_isShadowNew = true; ///< something that casts it is not as it was
 };
 
 /// What has to be found out for options.

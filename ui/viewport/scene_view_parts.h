@@ -3,6 +3,7 @@
 
 #include "ui/viewport/blending_renderer.h"
 #include "ui/viewport/grid_actor.h"
+#include "ui/viewport/ground_shadow_actor.h"
 #include "ui/viewport/object_actor.h"
 #include "ui/viewport/open_edges_actor.h"
 #include "ui/viewport/region_actor.h"
@@ -26,6 +27,7 @@ struct SceneView::Parts {
     vtkNew<vtkRenderer> front; ///< of all that is in `renderer`: what is selected inside the material
     std::unique_ptr<ViewCube> cube;
     std::unique_ptr<GridActor> grid;
+    std::unique_ptr<GroundShadowActor> shadow;
     std::vector<std::unique_ptr<SkinActor>> skins;
     std::vector<std::unique_ptr<SkinActor>> surfaces;
     std::unique_ptr<OpenEdgesActor> openEdges;
