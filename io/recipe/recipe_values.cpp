@@ -72,12 +72,6 @@ Pose readPose(const JsonNode& node, Pose pose)
     return pose;
 }
 
-std::vector<std::string> withPoseKeys(std::vector<std::string> keys)
-{
-    keys.insert(keys.end(), {"position_mm", "rotation_deg", "rotation_wxyz"});
-    return keys;
-}
-
 std::vector<double> readLengths(const JsonNode& node, std::size_t count)
 {
     const std::vector<double> lengths = node.numbers(count);
