@@ -5,10 +5,6 @@
 #include "io/recipe/recipe_objects.h"
 #include "io/recipe/recipe_tools.h"
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-
 namespace knead::recipe_keys {
 
 namespace {

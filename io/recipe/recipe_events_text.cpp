@@ -4,7 +4,6 @@
 #include "io/recipe/recipe_events.h"
 #include "io/recipe/recipe_places.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace knead {
@@ -135,16 +134,16 @@ public:
     {
         put(AddRecipeFixture{m_words.fixture(command.fixture, m_objectsInBody)});
     }
-    void operator()(const RemoveFixture& command) { put(ReleaseFixture{m_words.names.fixture(command.fixture)}); }
+    void operator()(const RemoveFixture& command) { put(ReleaseFixture{m_words.names.fixtures.at(command.fixture)}); }
     void operator()(const MoveFixture& command)
     {
-        put(MoveRecipeFixture{m_words.names.fixture(command.fixture), command.velocity, command.turn});
+        put(MoveRecipeFixture{m_words.names.fixtures.at(command.fixture), command.velocity, command.turn});
     }
     void operator()(const AddLoad& command) { put(AddRecipeLoad{m_words.load(command.load)}); }
-    void operator()(const RemoveLoad& command) { put(TakeLoadAway{m_words.names.load(command.load)}); }
+    void operator()(const RemoveLoad& command) { put(TakeLoadAway{m_words.names.loads.at(command.load)}); }
     void operator()(const SetLoad& command)
     {
-        put(ChangeRecipeLoad{m_words.names.load(command.load), command.amount, command.ramp});
+        put(ChangeRecipeLoad{m_words.names.loads.at(command.load), command.amount, command.ramp});
     }
     void operator()(const SetIntegrator& command) { put(ChangeIntegrator{command.integrator}); }
     void operator()(const SetPace& command) { put(ChangePace{command.pace}); }
@@ -160,7 +159,7 @@ public:
 
 private:
     const std::string& bodyName(BodyId body) const { return m_words.names.body(body); }
-    const std::string& toolName(ToolId tool) const { return m_words.names.tool(tool); }
+    const std::string& toolName(ToolId tool) const { return m_words.names.tools.at(tool); }
 
     void put(const RecipeAction& action)
     {

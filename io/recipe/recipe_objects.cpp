@@ -2,7 +2,6 @@
 
 #include "core/message/message.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

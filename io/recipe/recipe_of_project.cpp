@@ -177,7 +177,7 @@ private:
     {
         RecipeMaterialRegion words{m_words.place(body, region.objects),
                                    m_words.material(region.material, m_scene.bodies[body].material)};
-        words.name = RecipeNames::unique(region.name, "region", m_regionNames);
+        words.name = m_regions.add(region.name, "region");
         words.body = m_names.body(body);
         return textOf(words);
     }
@@ -242,7 +242,7 @@ private:
     RecipeNames m_names;
     RecipeWords m_words;
     PageText m_document;
-    std::set<std::string> m_regionNames;
+    UniqueNames m_regions;
     std::vector<Message> m_remarks;
 };
 

@@ -3,7 +3,6 @@
 #include "core/message/message.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 

@@ -43,13 +43,13 @@ RecipeManipulator RecipeWords::named(const Manipulator& manipulator, const std::
 
 RecipeManipulator RecipeWords::manipulator(const Manipulator& manipulator) const
 {
-    return named(manipulator, names.addTool(manipulator.name));
+    return named(manipulator, names.tools.add(manipulator.name, "tool"));
 }
 
 RecipeFixture RecipeWords::fixture(const Fixture& fixture, std::uint32_t objectsInBody) const
 {
     RecipeFixture words{place(fixture.body, fixture.objects, objectsInBody), fixture.velocity, fixture.turn};
-    words.name = names.addFixture(fixture.name);
+    words.name = names.fixtures.add(fixture.name, "fixture");
     if (names.hasManyBodies())
         words.body = names.body(fixture.body);
     return words;
@@ -57,7 +57,8 @@ RecipeFixture RecipeWords::fixture(const Fixture& fixture, std::uint32_t objects
 
 RecipeLoad RecipeWords::load(const Load& load) const
 {
-    RecipeLoad words{{.name = names.addLoad(load.name), .faces = load.faces, .box = load.box}, load.amount, load.ramp};
+    RecipeLoad words{
+        {.name = names.loads.add(load.name, "load"), .faces = load.faces, .box = load.box}, load.amount, load.ramp};
     if (names.hasManyBodies())
         words.body = names.body(load.body);
     return words;
