@@ -68,12 +68,8 @@ struct RecipeFixture : RecipeRegion {
 };
 
 /// A load on CAD faces, or on what of the surface of a body lies in a box.
-struct RecipeLoad {
-    std::string name;
-    std::string body;                 ///< empty: the only one
-    std::vector<std::uint32_t> faces; ///< indices into Part::faces
-    std::optional<Box> box;           ///< [m]
-    LoadAmount amount;
+struct RecipeLoad : RecipeRegion {
+    LoadAmount amount = {};
     double ramp = 0; ///< [s]
 };
 

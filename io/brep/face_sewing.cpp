@@ -15,12 +15,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace knead {
 

@@ -13,7 +13,6 @@
 #include <TopoDS_Edge.hxx>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace knead {

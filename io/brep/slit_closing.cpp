@@ -5,7 +5,6 @@
 #include "io/mesh/open_borders.h"
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace knead {

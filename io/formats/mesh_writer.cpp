@@ -8,9 +8,6 @@
 #include "io/formats/mesh_formats.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <stdexcept>
 #include <string_view>
 
 namespace knead {

@@ -1,6 +1,5 @@
 #include "io/json/exact_number.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>

@@ -52,23 +52,6 @@ ObjectText& ObjectText::numbers(const std::string& key, const Quaternion& value)
     return put(key, listText(std::array{value.w(), value.x(), value.y(), value.z()}, exactText));
 }
 
-ObjectText& ObjectText::millimeters(const std::string& key, double meters)
-{
-    return put(key, exactThousandfold(meters));
-}
-
-ObjectText& ObjectText::millimeters(const std::string& key, const Vec3& meters)
-{
-    return put(key, listText(std::array{meters.x(), meters.y(), meters.z()}, exactThousandfold));
-}
-
-ObjectText& ObjectText::millimeters(const std::string& key, const Box& meters)
-{
-    const Vec3& low = meters.min();
-    const Vec3& high = meters.max();
-    return put(key, listText(std::array{low.x(), low.y(), low.z(), high.x(), high.y(), high.z()}, exactThousandfold));
-}
-
 PageText& PageText::put(const std::string& key, const std::string& json)
 {
     m_text += m_text.empty() ? "  \"" : ",\n  \"";

@@ -38,9 +38,6 @@ public:
     ObjectText& number(const std::string& key, double value);
     ObjectText& numbers(const std::string& key, const Vec3& value);
     ObjectText& numbers(const std::string& key, const Quaternion& value); ///< w, x, y, z
-    ObjectText& millimeters(const std::string& key, double meters);
-    ObjectText& millimeters(const std::string& key, const Vec3& meters);
-    ObjectText& millimeters(const std::string& key, const Box& meters);
 
     bool isEmpty() const { return m_text.empty(); }
     std::string take() const { return "{" + m_text + "}"; }

@@ -1,6 +1,5 @@
 #include "io/mesh/corner_normals.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

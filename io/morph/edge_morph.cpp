@@ -7,7 +7,6 @@
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Curve.hxx>
 
-#include <cmath>
 #include <vector>
 
 namespace knead {

@@ -18,8 +18,6 @@
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace knead {
 

@@ -1,15 +1,11 @@
-// Events of a recipe: what changes on the way.
+#include "io/recipe/recipe_events.h"
+
 #include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
-#include "io/recipe/recipe_sections.h"
-#include "io/recipe/recipe_values.h"
-#include "io/recipe/scene_words.h"
+#include "io/recipe/recipe_objects.h"
+#include "io/recipe/recipe_tools.h"
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-
-namespace knead {
+namespace knead::recipe_keys {
 
 namespace {
 
@@ -19,186 +15,181 @@ constexpr double largestNormal = 1e6;
 constexpr double shortestBalance = 1e-6; // [s]
 constexpr double longestBalance = 3600;  // [s]
 
-std::string readOptionalText(const JsonNode& node, const std::string& key)
-{
-    const auto text = node.find(key);
-    return text ? text->text() : "";
-}
-
-/// Objects are those of one body.
-template <class Action>
-void readWhere(const JsonNode& node, Action& action)
-{
-    action.body = readOptionalText(node, "body");
-    if (const auto box = node.find("box_mm"))
-        action.box = readBox(*box);
-    action.objects = readRecipeObjects(node);
-    if (action.objects && action.box)
-        node.fail(Message("Recipe", "must have only one of the keys box_mm and objects."));
-}
-
-RecipeAction readRenormalize(const JsonNode& node)
-{
-    node.allowOnly({"body", "box_mm", "objects", "objects_in_body", "filled_anew", "duration_s"});
-    RenormalizeBodies action;
-    readWhere(node, action);
-    if (const auto duration = node.find("duration_s"))
-        action.duration = duration->number(0, longestAnnealing);
-    return action;
-}
-
-RecipeAction readChangeOfKind(const JsonNode& node)
-{
-    node.allowOnly({"body", "kind"});
-    return ChangeBodyKind{node.at("body").text(), readBodyKind(node.at("kind"))};
-}
-
-RecipeAction readChangeOfFloor(const JsonNode& node)
-{
-    node.allowOnly({"height_mm", "friction", "adhesion_pa"});
-    ChangeFloor action;
-    if (const auto height = node.find("height_mm"))
-        action.height = height->thousandth();
-    if (const auto friction = node.find("friction"))
-        action.friction = friction->number(0, 2);
-    if (const auto adhesion = node.find("adhesion_pa"))
-        action.adhesion = adhesion->number(0, 1e9);
-    return action;
-}
-
-RecipeAction readMoveOfFixture(const JsonNode& node)
-{
-    node.allowOnly({"name", "velocity_mm_s", "turn"});
-    const auto velocity = node.find("velocity_mm_s");
-    const auto turn = node.find("turn");
-    if (!velocity && !turn)
-        node.fail(Message("Recipe", "must have at least one of the keys velocity_mm_s and turn."));
-    return MoveRecipeFixture{.fixture = node.at("name").text(),
-                             .velocity = velocity ? readMillimeters(*velocity, fastestGrip) : Vec3(Vec3::Zero()),
-                             .turn = turn ? readGripTurn(*turn) : GripTurn{}};
-}
-
-RecipeAction readPlacing(const JsonNode& node)
-{
-    node.allowOnly(withPoseKeys({"name"}));
-    node.at("position_mm");
-    return PlaceRecipeManipulator{node.at("name").text(), readPose(node, {})};
-}
-
-/// Path apart, which is several events.
-RecipeAction readMove(const JsonNode& node)
-{
-    return MoveRecipeManipulator{node.at("name").text(), readMotion(node)};
-}
-
-RecipeAction readRefill(const JsonNode& node)
-{
-    node.allowOnly({"body", "spacing_mm"});
-    RefillBodies refill;
-    if (const auto body = node.find("body"))
-        refill.body = body->text();
-    if (const auto spacing = node.find("spacing_mm"))
-        refill.spacing = spacing->positiveThousandth();
-    return refill;
-}
-
-RecipeAction readCut(const JsonNode& node)
-{
-    node.allowOnly({"body", "point_mm", "normal"});
-    CutBodies cut;
-    if (const auto body = node.find("body"))
-        cut.body = body->text();
-    cut.point = readPlace(node.at("point_mm"));
-    cut.normal = readVector(node.at("normal"), largestNormal);
-    if (cut.normal.isZero(0))
-        node.at("normal").fail(Message("Recipe", "must not be 0: it says which way the plane faces."));
-    return cut;
-}
-
-RecipeAction readReset(const JsonNode& node)
-{
-    if (!node.boolean())
-        node.fail(Message("Recipe", "must be true."));
-    return StartAgain{};
-}
-
-/// What can happen, by its key. A change of material has other keys beside its own.
-struct ActionReader {
-    std::string key;
-    std::function<RecipeAction(const JsonNode& event, const JsonNode& action, const EventContext&)> read;
+/// True, since whoever does not want it leaves it out.
+struct ResetWord {
+    using Of = StartAgain;
+    static StartAgain read(const JsonNode& node)
+    {
+        if (!node.boolean())
+            node.fail(Message("Recipe", "must be true."));
+        return {};
+    }
+    static std::string text(const StartAgain&) { return "true"; }
 };
 
-template <class Read>
-ActionReader plain(const char* key, Read read)
+} // namespace
+
+template <class Fields>
+void describeKeys(Fields& fields, RenormalizeBodies& action)
 {
-    return {key, [read](const JsonNode&, const JsonNode& action, const EventContext&) { return read(action); }};
+    describeWhere(fields, action);
+    fields.optional("duration_s", action.duration, Number{0, longestAnnealing}, action.duration != 0);
 }
 
-RecipeAction readMaterialChange(const JsonNode& event, const JsonNode& action, const EventContext& context)
+template <class Fields>
+void describeKeys(Fields& fields, ChangeBodyKind& change)
 {
-    ChangeMaterial change;
-    readWhere(event, change);
-    change.material = readRecipeMaterial(action, context.presets);
-    return change;
+    fields.needed("body", change.body, Text{});
+    fields.needed("kind", change.kind, Word{bodyKindWords()});
 }
 
-const std::vector<ActionReader>& actionReaders()
+template <class Fields>
+void describeKeys(Fields& fields, ChangeFloor& floor)
 {
-    using Node = const JsonNode&;
-    static const std::vector<ActionReader> readers{
-        {"material", readMaterialChange},
-        plain("remove_fixture", [](Node node) { return ReleaseFixture{node.text()}; }),
-        plain("remove_manipulator", [](Node node) { return TakeManipulatorAway{node.text()}; }),
-        plain("gravity_m_s2", [](Node node) { return ChangeGravity{readVector(node, strongestGravity)}; }),
-        plain("renormalize", readRenormalize),
-        plain("body_kind", readChangeOfKind),
-        plain("floor", readChangeOfFloor),
-        plain("integrator", [](Node node) { return ChangeIntegrator{readChoice(node, integratorWords())}; }),
-        plain("pace", [](Node node) { return ChangePace{readChoice(node, paceWords())}; }),
-        plain("add_fixture", [](Node node) { return AddRecipeFixture{readRecipeFixture(node)}; }),
-        plain("move_fixture", readMoveOfFixture),
-        {"add_manipulator",
-         [](Node, Node node, const EventContext& context) {
-             return AddRecipeManipulator{readRecipeManipulator(node, context.recipePath)};
-         }},
-        plain("move_manipulator", readMove),
-        plain("place_manipulator", readPlacing),
-        {"reshape_manipulator",
-         [](Node, Node node, const EventContext& context) {
-             return ReshapeRecipeManipulator{readReshaping(node, context.recipePath)};
-         }},
-        plain("add_load", [](Node node) { return AddRecipeLoad{readRecipeLoad(node)}; }),
-        plain("change_load", readChangeOfLoad),
-        plain("remove_load", [](Node node) { return TakeLoadAway{node.text()}; }),
-        plain("find_balance_s", [](Node node) { return SettleScene{node.number(shortestBalance, longestBalance)}; }),
-        plain("refill", readRefill),
-        plain("cut", readCut),
-        plain("reset", readReset),
-        plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
-    };
-    return readers;
+    fields.optional("height_mm", floor.height, Millimeters{});
+    fields.optional("friction", floor.friction, Number{0, 2});
+    fields.optional("adhesion_pa", floor.adhesion, Number{0, 1e9}, floor.adhesion > 0);
 }
 
-std::string allKeys()
+template <class Fields>
+void describeKeys(Fields& fields, MoveRecipeFixture& move)
 {
-    return listed(actionReaders(), [](const ActionReader& reader) { return reader.key; });
+    fields.needed("name", move.fixture, Text{});
+    fields.optional("velocity_mm_s", move.velocity, VectorInMillimeters{fastestGrip});
+    fields.optional("turn", move.turn, Object<GripTurn>{fields.context}, move.turn.turns());
+    fields.check([](const JsonNode& node) {
+        if (!node.find("velocity_mm_s") && !node.find("turn"))
+            node.fail(Message("Recipe", "must have at least one of the keys velocity_mm_s and turn."));
+    });
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, MoveRecipeManipulator& move)
+{
+    fields.needed("name", move.manipulator, Text{});
+    describeKeys(fields, move.motion);
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, PlaceRecipeManipulator& place)
+{
+    fields.needed("name", place.manipulator, Text{});
+    describePose(fields, place.pose);
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, ReshapeRecipeManipulator& reshape)
+{
+    describeForm(fields, reshape.manipulator);
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, ChangeRecipeLoad& change)
+{
+    fields.needed("name", change.load, Text{});
+    describeAmount(fields, change.amount, change.ramp);
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, RefillBodies& refill)
+{
+    fields.optional("body", refill.body, Text{}, !refill.body.empty());
+    fields.optional("spacing_mm", refill.spacing, PositiveMillimeters{}, refill.spacing != 0);
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, CutBodies& cut)
+{
+    fields.optional("body", cut.body, Text{}, !cut.body.empty());
+    fields.needed("point_mm", cut.point, VectorInMillimeters{});
+    fields.needed("normal", cut.normal, Vector{largestNormal});
+    fields.check([&](const JsonNode& node) {
+        if (cut.normal.isZero(0))
+            node.at("normal").fail(Message("Recipe", "must not be 0: it says which way the plane faces."));
+    });
+}
+
+namespace {
+
+/// What can happen, by its key, but for a change of material, which has other keys beside its own.
+template <class Visit>
+void forEachAction(const Context& context, const Visit& visit)
+{
+    visit("remove_fixture", Only{&ReleaseFixture::fixture, Text{}});
+    visit("remove_manipulator", Only{&TakeManipulatorAway::manipulator, Text{}});
+    visit("gravity_m_s2", Only{&ChangeGravity::gravity, Vector{strongestGravity}});
+    visit("renormalize", Object<RenormalizeBodies>{context});
+    visit("body_kind", Object<ChangeBodyKind>{context});
+    visit("floor", Object<ChangeFloor>{context});
+    visit("integrator", Only{&ChangeIntegrator::integrator, Word{integratorWords()}});
+    visit("pace", Only{&ChangePace::pace, Word{paceWords()}});
+    visit("add_fixture", Only{&AddRecipeFixture::fixture, Object<RecipeFixture>{context}});
+    visit("move_fixture", Object<MoveRecipeFixture>{context});
+    visit("add_manipulator", Only{&AddRecipeManipulator::manipulator, Object<RecipeManipulator>{context}});
+    visit("move_manipulator", Object<MoveRecipeManipulator>{context});
+    visit("place_manipulator", Object<PlaceRecipeManipulator>{context});
+    visit("reshape_manipulator", Object<ReshapeRecipeManipulator>{context});
+    visit("add_load", Only{&AddRecipeLoad::load, Object<RecipeLoad>{context}});
+    visit("change_load", Object<ChangeRecipeLoad>{context});
+    visit("remove_load", Only{&TakeLoadAway::load, Text{}});
+    visit("find_balance_s", Only{&SettleScene::duration, Number{shortestBalance, longestBalance}});
+    visit("refill", Object<RefillBodies>{context});
+    visit("cut", Object<CutBodies>{context});
+    visit("reset", ResetWord{});
+    visit("keep_moment", Only{&MarkMoment::name, AnyText{}});
+}
+
+/// Which objects a change of material is about is said beside it.
+struct Where : ChangeMaterial {};
+
+template <class Fields>
+void describeKeys(Fields& fields, Where& where)
+{
+    describeWhere(fields, where);
+}
+
+const std::vector<std::string>& actionKeys()
+{
+    static const std::vector<std::string> keys = [] {
+        std::vector<std::string> all{"material"};
+        forEachAction(nowhere(), [&](const char* key, const auto&) { all.emplace_back(key); });
+        return all;
+    }();
+    return keys;
 }
 
 /// The one key that says what happens.
-const ActionReader& readerFor(const JsonNode& node)
+std::string actionKeyOf(const JsonNode& node)
 {
-    std::vector<const ActionReader*> found;
-    for (const ActionReader& reader : actionReaders())
-        if (node.find(reader.key))
-            found.push_back(&reader);
+    std::vector<std::string> found;
+    for (const std::string& key : actionKeys())
+        if (node.find(key))
+            found.push_back(key);
     if (found.size() > 1)
-        node.fail(Message("Recipe", "must have only one of the keys %1 and %2.").with(found[0]->key, found[1]->key));
+        node.fail(Message("Recipe", "must have only one of the keys %1 and %2.").with(found[0], found[1]));
     if (found.empty())
-        node.fail(Message("Recipe", "must have exactly one of the keys %1.").with(allKeys()));
-    return *found.front();
+        node.fail(Message("Recipe", "must have exactly one of the keys %1.")
+                      .with(listed(actionKeys(), [](const std::string& key) { return key; })));
+    return found.front();
 }
 
-RecipeEvent readWhen(const JsonNode& node, const EventContext& context)
+RecipeAction readAction(const JsonNode& node, const std::string& wanted, const Context& context)
+{
+    RecipeAction action;
+    if (wanted == "material") {
+        Where change;
+        readInto(node, change, context);
+        change.material = MaterialWords{context}.read(node.at("material"));
+        return change;
+    }
+    forEachAction(context, [&](const char* key, const auto& kind) {
+        if (key == wanted)
+            action = kind.read(node.at(key));
+    });
+    return action;
+}
+
+RecipeEvent readWhen(const JsonNode& node, double latest)
 {
     const auto time = node.find("time_s");
     const auto step = node.find("step");
@@ -206,7 +197,7 @@ RecipeEvent readWhen(const JsonNode& node, const EventContext& context)
         node.fail(Message("Recipe", "must have either time_s or step."));
     RecipeEvent event;
     if (time)
-        event.time = time->number(0, context.duration);
+        event.time = time->number(0, latest);
     else
         event.step = step->count(mostSteps);
     return event;
@@ -222,14 +213,14 @@ std::vector<RecipeEvent> readPathEvents(const JsonNode& path, const std::string&
     return events;
 }
 
-/// The keys of a move, which may be a path.
+/// Of a move, which may be one.
 std::optional<JsonNode> pathIn(const JsonNode& move)
 {
     std::vector<std::string> allowed{"name", "path"};
-    allowed.insert(allowed.end(), motionKeys().begin(), motionKeys().end());
+    allowed.insert(allowed.end(), keysOf<Motion>().begin(), keysOf<Motion>().end());
     move.allowOnly(allowed);
     const auto path = move.find("path");
-    for (const std::string& key : motionKeys())
+    for (const std::string& key : keysOf<Motion>())
         if (path && move.find(key))
             move.fail(Message("Recipe", "must have only one of the keys path and %1.").with(key));
     return path;
@@ -237,24 +228,36 @@ std::optional<JsonNode> pathIn(const JsonNode& move)
 
 } // namespace
 
-std::vector<RecipeEvent> readRecipeEvent(const JsonNode& node, const EventContext& context)
+std::vector<RecipeEvent> readEvent(const JsonNode& node, double latest, const Context& context)
 {
-    std::vector<std::string> allowed{"time_s", "step", "body", "box_mm", "objects", "objects_in_body", "filled_anew"};
-    for (const ActionReader& reader : actionReaders())
-        allowed.push_back(reader.key);
+    std::vector<std::string> allowed{"time_s", "step"};
+    for (const auto& keys : {keysOf<Where>(), actionKeys()})
+        allowed.insert(allowed.end(), keys.begin(), keys.end());
     node.allowOnly(allowed);
-    RecipeEvent event = readWhen(node, context);
-    const ActionReader& reader = readerFor(node);
-    const JsonNode action = node.at(reader.key);
-    if (reader.key != "material")
-        for (const char* detail : {"body", "box_mm", "objects", "objects_in_body", "filled_anew"})
+    RecipeEvent event = readWhen(node, latest);
+    const std::string key = actionKeyOf(node);
+    if (key != "material")
+        for (const std::string& detail : keysOf<Where>())
             if (const auto found = node.find(detail))
                 found->fail(Message("Recipe", "belongs to a change of material only."));
-    if (reader.key == "move_manipulator")
-        if (const auto path = pathIn(action))
-            return readPathEvents(*path, action.at("name").text(), event);
-    event.action = reader.read(node, action, context);
+    if (key == "move_manipulator")
+        if (const auto path = pathIn(node.at(key)))
+            return readPathEvents(*path, node.at(key).at("name").text(), event);
+    event.action = readAction(node, key, context);
     return {event};
 }
 
-} // namespace knead
+void putAction(ObjectText& event, const RecipeAction& action, const Context& context)
+{
+    if (const auto* change = std::get_if<ChangeMaterial>(&action)) {
+        event.put("material", MaterialWords{context}.text(change->material));
+        putInto(event, Where{*change}, context);
+        return;
+    }
+    forEachAction(context, [&]<class Kind>(const char* key, const Kind& kind) {
+        if (const auto* wanted = std::get_if<typename Kind::Of>(&action))
+            event.put(key, kind.text(*wanted));
+    });
+}
+
+} // namespace knead::recipe_keys

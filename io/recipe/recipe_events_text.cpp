@@ -1,10 +1,9 @@
 #include "io/recipe/recipe_events_text.h"
 
 #include "io/json/exact_number.h"
+#include "io/recipe/recipe_events.h"
 #include "io/recipe/recipe_places.h"
-#include "io/recipe/scene_words.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace knead {
@@ -88,53 +87,32 @@ public:
 
     void operator()(const SetMaterial& command)
     {
-        ObjectText text = event();
-        text.put("material", m_words.material(command.material, m_words.start.scene.bodies.at(command.body).material));
-        putBody(text, command.body, command.objects);
-        finish(text);
+        ChangeMaterial change;
+        setWhere(change, command.body, command.objects);
+        change.material = m_words.material(command.material, m_words.start.scene.bodies.at(command.body).material);
+        put(change);
     }
-    void operator()(const SetBodyKind& command)
-    {
-        ObjectText change;
-        change.text("body", m_words.names.body(command.body))
-            .put("kind", quoted(wordFor(command.kind, bodyKindWords())));
-        finish(event().put("body_kind", change.take()));
-    }
+    void operator()(const SetBodyKind& command) { put(ChangeBodyKind{bodyName(command.body), command.kind}); }
     void operator()(const Renormalize& command)
     {
-        ObjectText wanted;
-        putBody(wanted, command.body, command.objects);
-        if (command.duration != 0)
-            wanted.number("duration_s", command.duration);
-        finish(event().put("renormalize", wanted.take()));
+        RenormalizeBodies action;
+        setWhere(action, command.body, command.objects);
+        action.duration = command.duration;
+        put(action);
     }
-    void operator()(const SetGravity& command) { finish(event().numbers("gravity_m_s2", command.gravity)); }
-    void operator()(const SetFloor& command)
-    {
-        ObjectText floor;
-        if (command.height)
-            floor.millimeters("height_mm", *command.height);
-        floor.number("friction", command.friction);
-        if (command.adhesion > 0)
-            floor.number("adhesion_pa", command.adhesion);
-        finish(event().put("floor", floor.take()));
-    }
+    void operator()(const SetGravity& command) { put(ChangeGravity{command.gravity}); }
+    void operator()(const SetFloor& command) { put(ChangeFloor{command.height, command.friction, command.adhesion}); }
     void operator()(const AddManipulator& command)
     {
-        finish(event().put("add_manipulator", m_words.manipulator(command.manipulator)));
+        put(AddRecipeManipulator{m_words.manipulator(command.manipulator)});
     }
-    void operator()(const RemoveManipulator& command)
-    {
-        finish(event().text("remove_manipulator", m_words.names.tool(command.tool)));
-    }
+    void operator()(const RemoveManipulator& command) { put(TakeManipulatorAway{toolName(command.tool)}); }
     void operator()(const SetManipulatorMotion& command)
     {
         if (const auto* goTo = std::get_if<GoTo>(&command.motion))
-            return addToPath(command.tool, goTo->target);
-        ObjectText move;
-        move.text("name", m_words.names.tool(command.tool));
-        putMotion(move, command.motion);
-        finish(event().put("move_manipulator", move.take()));
+            addToPath(command.tool, goTo->target);
+        else
+            put(MoveRecipeManipulator{toolName(command.tool), command.motion});
     }
     void operator()(const ReshapeManipulator& command)
     {
@@ -146,84 +124,57 @@ public:
                                .part = command.part,
                                .adhesion = command.adhesion,
                                .rollsFreely = command.rollsFreely};
-        finish(event().put("reshape_manipulator", m_words.reshaping(form, m_words.names.tool(command.tool)).take()));
+        put(ReshapeRecipeManipulator{m_words.named(form, toolName(command.tool))});
     }
     void operator()(const PlaceManipulator& command)
     {
-        ObjectText place;
-        place.text("name", m_words.names.tool(command.tool));
-        putPose(place, command.pose);
-        finish(event().put("place_manipulator", place.take()));
+        put(PlaceRecipeManipulator{toolName(command.tool), command.pose});
     }
     void operator()(const AddFixture& command)
     {
-        finish(event().put("add_fixture", m_words.fixture(command.fixture, m_objectsInBody)));
+        put(AddRecipeFixture{m_words.fixture(command.fixture, m_objectsInBody)});
     }
-    void operator()(const RemoveFixture& command)
-    {
-        finish(event().text("remove_fixture", m_words.names.fixture(command.fixture)));
-    }
+    void operator()(const RemoveFixture& command) { put(ReleaseFixture{m_words.names.fixtures.at(command.fixture)}); }
     void operator()(const MoveFixture& command)
     {
-        ObjectText move;
-        move.text("name", m_words.names.fixture(command.fixture)).millimeters("velocity_mm_s", command.velocity);
-        putTurn(move, command.turn);
-        finish(event().put("move_fixture", move.take()));
+        put(MoveRecipeFixture{m_words.names.fixtures.at(command.fixture), command.velocity, command.turn});
     }
-    void operator()(const AddLoad& command) { finish(event().put("add_load", m_words.load(command.load))); }
-    void operator()(const RemoveLoad& command)
-    {
-        finish(event().text("remove_load", m_words.names.load(command.load)));
-    }
+    void operator()(const AddLoad& command) { put(AddRecipeLoad{m_words.load(command.load)}); }
+    void operator()(const RemoveLoad& command) { put(TakeLoadAway{m_words.names.loads.at(command.load)}); }
     void operator()(const SetLoad& command)
     {
-        ObjectText change;
-        change.text("name", m_words.names.load(command.load));
-        putAmount(change, command.amount, command.ramp);
-        finish(event().put("change_load", change.take()));
+        put(ChangeRecipeLoad{m_words.names.loads.at(command.load), command.amount, command.ramp});
     }
-    void operator()(const SetIntegrator& command)
-    {
-        finish(event().put("integrator", quoted(wordFor(command.integrator, integratorWords()))));
-    }
-    void operator()(const SetPace& command) { finish(event().put("pace", quoted(wordFor(command.pace, paceWords())))); }
-    void operator()(const FindBalance& command) { finish(event().number("find_balance_s", command.duration)); }
-    void operator()(const Refill& command)
-    {
-        ObjectText wanted;
-        putBody(wanted, command.body, {});
-        if (command.spacing != 0)
-            wanted.put("spacing_mm", exactThousandfold(command.spacing));
-        finish(event().put("refill", wanted.take()));
-    }
-    void operator()(const Cut& command)
-    {
-        ObjectText plane;
-        putBody(plane, command.body, {});
-        plane.millimeters("point_mm", command.point).numbers("normal", command.normal);
-        finish(event().put("cut", plane.take()));
-    }
-    void operator()(const Reset&) { finish(event().put("reset", "true")); }
+    void operator()(const SetIntegrator& command) { put(ChangeIntegrator{command.integrator}); }
+    void operator()(const SetPace& command) { put(ChangePace{command.pace}); }
+    void operator()(const FindBalance& command) { put(SettleScene{command.duration}); }
+    void operator()(const Refill& command) { put(RefillBodies{bodyName(command.body), command.spacing}); }
+    void operator()(const Cut& command) { put(CutBodies{bodyName(command.body), command.point, command.normal}); }
+    void operator()(const Reset&) { put(StartAgain{}); }
     // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.
     void operator()(const SetPartLook&) {}
     void operator()(const RenameManipulator&) {}
     void operator()(const RenameFixture&) {}
-    void operator()(const KeepMoment&) { finish(event().text("keep_moment", m_isLast ? m_name : std::string())); }
+    void operator()(const KeepMoment&) { put(MarkMoment{m_isLast ? m_name : std::string()}); }
 
 private:
-    ObjectText event() const { return ObjectText().put("step", std::to_string(m_step)); }
+    const std::string& bodyName(BodyId body) const { return m_words.names.body(body); }
+    const std::string& toolName(ToolId tool) const { return m_words.names.tools.at(tool); }
 
-    void finish(const ObjectText& text)
+    void put(const RecipeAction& action)
     {
         endPath();
-        m_texts.push_back(text.take());
+        ObjectText event;
+        event.put("step", std::to_string(m_step));
+        recipe_keys::putAction(event, action, m_words.context);
+        m_texts.push_back(event.take());
     }
 
     void addToPath(ToolId tool, const Pose& target)
     {
         if (!m_path || m_pathTool != tool) {
             endPath();
-            m_path = std::make_unique<PathText>(m_words.names.tool(tool), m_step);
+            m_path = std::make_unique<PathText>(toolName(tool), m_step);
             m_pathTool = tool;
         }
         m_path->add(m_step, target);
@@ -236,13 +187,17 @@ private:
         m_path.reset();
     }
 
-    void putBody(ObjectText& text, BodyId body, const std::vector<ObjectIndex>& objects) const
+    /// All of a body where no objects are named.
+    template <class Where>
+    void setWhere(Where& where, BodyId body, const std::vector<ObjectIndex>& objects) const
     {
-        text.text("body", m_words.names.body(body));
-        if (!objects.empty() && m_objectsInBody > 0)
-            putLaterObjects(text, m_objectsInBody, objects);
-        else if (!objects.empty())
-            putObjects(text, m_words.aggregateOf(body), objects);
+        where.body = bodyName(body);
+        if (objects.empty())
+            return;
+        const RecipeRegion place = m_objectsInBody > 0 ? laterPlaceOf(m_objectsInBody, objects)
+                                                       : placeOf(m_words.aggregateOf(body), nullptr, objects);
+        where.box = place.box;
+        where.objects = place.objects;
     }
 
     const RecipeWords& m_words;

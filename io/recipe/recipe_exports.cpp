@@ -1,15 +1,14 @@
-// Files that a recipe writes at the end.
+#include "io/recipe/recipe_exports.h"
+
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
-#include "core/model/length_units.h"
-#include "io/recipe/recipe_sections.h"
-#include "io/recipe/recipe_values.h"
+#include "io/recipe/recipe_kinds.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
-namespace knead {
+namespace knead::recipe_keys {
 
 namespace fs = std::filesystem;
 
@@ -51,38 +50,44 @@ View readViewDirection(const JsonNode& node)
     return {direction, vertical ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ())};
 }
 
-void readPictureKeys(const JsonNode& node, RecipeExport& picture)
+View readView(const JsonNode& node)
 {
-    node.allowOnly({"file", "width", "height", "view", "show_tools"});
-    if (const auto width = node.find("width"))
-        picture.width = width->integer(16, mostPixels);
-    if (const auto height = node.find("height"))
-        picture.height = height->integer(16, mostPixels);
-    if (const auto tools = node.find("show_tools"))
-        picture.showTools = tools->boolean();
-    if (const auto viewNode = node.find("view")) {
-        const View view = viewNode->isString() ? readNamedView(*viewNode) : readViewDirection(*viewNode);
-        picture.viewDirection = view.direction;
-        picture.up = view.up;
-    }
+    return node.isString() ? readNamedView(node) : readViewDirection(node);
 }
 
-void readFileKeys(const JsonNode& node, RecipeExport& file)
+struct Picture : RecipeExport {};
+
+template <class Fields>
+void describeKeys(Fields& fields, Picture& picture)
 {
-    node.allowOnly({"file", "unit", "tolerance_mm", "ap214", "text", "report"});
-    if (const auto unit = node.find("unit")) {
-        file.options.unit = unit->text();
-        if (findLengthUnit(file.options.unit) == nullptr)
-            unit->failExpecting(Message("Recipe", "must be one of %1").with(lengthUnitNames()));
-    }
-    if (const auto tolerance = node.find("tolerance_mm"))
-        file.options.tolerance = 1e-3 * tolerance->number(1e-6, 1e3);
-    if (const auto ap214 = node.find("ap214"))
-        file.options.useAp214 = ap214->boolean();
-    if (const auto text = node.find("text"))
-        file.options.isText = text->boolean();
-    if (const auto report = node.find("report"))
-        file.wantsReport = report->boolean();
+    fields.needed("file", picture.file, Text{});
+    fields.optional("width", picture.width, Whole{16, mostPixels});
+    fields.optional("height", picture.height, Whole{16, mostPixels});
+    fields.together({"view"}, [&](const JsonNode& node) {
+        if (const auto found = node.find("view")) {
+            const View view = readView(*found);
+            picture.viewDirection = view.direction;
+            picture.up = view.up;
+        }
+    });
+    fields.optional("show_tools", picture.showTools, Flag{});
+}
+
+struct PartFile : RecipeExport {};
+
+struct Tolerance {
+    static double read(const JsonNode& node) { return 1e-3 * node.number(1e-6, 1e3); }
+};
+
+template <class Fields>
+void describeKeys(Fields& fields, PartFile& file)
+{
+    fields.needed("file", file.file, Text{});
+    fields.optional("unit", file.options.unit, LengthUnitName{});
+    fields.optional("tolerance_mm", file.options.tolerance, Tolerance{});
+    fields.optional("ap214", file.options.useAp214, Flag{});
+    fields.optional("text", file.options.isText, Flag{});
+    fields.optional("report", file.wantsReport, Flag{});
 }
 
 /// A recipe from somewhere else must not write outside the output folder.
@@ -96,20 +101,16 @@ void checkStaysInside(const JsonNode& node, const std::string& file)
 
 } // namespace
 
-RecipeExport readRecipeExport(const JsonNode& node)
+RecipeExport readExport(const JsonNode& node, const Context& context)
 {
     const JsonNode file = node.at("file");
-    RecipeExport wanted;
-    wanted.file = file.text();
+    const RecipeExport wanted{.file = file.text()};
     checkStaysInside(file, wanted.file);
-
-    if (!wanted.isPicture() && formatToWrite(wanted.file) == nullptr)
-        file.failExpecting(Message("Recipe", "must end in one of %1").with(formatEndings(", ") + ", .png"));
     if (wanted.isPicture())
-        readPictureKeys(node, wanted);
-    else
-        readFileKeys(node, wanted);
-    return wanted;
+        return Object<Picture>{context}.read(node);
+    if (formatToWrite(wanted.file) == nullptr)
+        file.failExpecting(Message("Recipe", "must end in one of %1").with(formatEndings(", ") + ", .png"));
+    return Object<PartFile>{context}.read(node);
 }
 
-} // namespace knead
+} // namespace knead::recipe_keys

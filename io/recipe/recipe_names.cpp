@@ -1,6 +1,7 @@
 #include "io/recipe/recipe_names.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace knead {
 
@@ -29,31 +30,13 @@ RecipeNames::RecipeNames(const Model& model, const ProjectStart& start)
         m_bodies.push_back(nameOfBody(model, start.partOfBody, body));
 }
 
-std::string RecipeNames::unique(const std::string& name, const std::string& other, std::set<std::string>& taken)
+const std::string& UniqueNames::add(const std::string& name, const std::string& other)
 {
     const std::string base = name.empty() ? other : name;
     std::string candidate = base;
-    for (int i = 2; !taken.insert(candidate).second; ++i)
+    for (int i = 2; !m_taken.insert(candidate).second; ++i)
         candidate = base + ' ' + std::to_string(i);
-    return candidate;
-}
-
-std::string RecipeNames::addTool(const std::string& name)
-{
-    m_tools.push_back(unique(name, "tool", m_takenTools));
-    return m_tools.back();
-}
-
-std::string RecipeNames::addFixture(const std::string& name)
-{
-    m_fixtures.push_back(unique(name, "fixture", m_takenFixtures));
-    return m_fixtures.back();
-}
-
-std::string RecipeNames::addLoad(const std::string& name)
-{
-    m_loads.push_back(unique(name, "load", m_takenLoads));
-    return m_loads.back();
+    return m_names.emplace_back(std::move(candidate));
 }
 
 } // namespace knead

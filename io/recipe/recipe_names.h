@@ -3,14 +3,26 @@
 #include "core/document/project.h"
 #include "core/simulation/command.h"
 
-#include <map>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace knead {
 
-/// What a recipe calls the bodies, tools and fixtures of a session, where each name is used once.
+/// Names of one sort of things, each used once, by their numbers in the session.
+class UniqueNames {
+public:
+    /// The next one gets the name, or one like it. @param other for what has no name
+    const std::string& add(const std::string& name, const std::string& other);
+    const std::string& at(std::size_t number) const { return m_names.at(number); }
+
+private:
+    std::vector<std::string> m_names;
+    std::set<std::string> m_taken;
+};
+
+/// What a recipe calls the bodies, tools, fixtures and loads of a session.
 class RecipeNames {
 public:
     RecipeNames(const Model& model, const ProjectStart& start);
@@ -19,24 +31,12 @@ public:
     const std::string& body(BodyId body) const { return m_bodies.at(body); }
     bool hasManyBodies() const { return m_bodies.size() > 1; }
 
-    /// The next tool or fixture gets the name, or one like it.
-    std::string addTool(const std::string& name);
-    std::string addFixture(const std::string& name);
-    std::string addLoad(const std::string& name);
-    static std::string unique(const std::string& name, const std::string& other, std::set<std::string>& taken);
-
-    const std::string& tool(ToolId tool) const { return m_tools.at(tool); }
-    const std::string& fixture(FixtureId fixture) const { return m_fixtures.at(fixture); }
-    const std::string& load(LoadId load) const { return m_loads.at(load); }
+    UniqueNames tools;
+    UniqueNames fixtures;
+    UniqueNames loads;
 
 private:
     std::vector<std::string> m_bodies;
-    std::vector<std::string> m_tools;
-    std::vector<std::string> m_fixtures;
-    std::set<std::string> m_takenTools;
-    std::set<std::string> m_takenFixtures;
-    std::vector<std::string> m_loads;
-    std::set<std::string> m_takenLoads;
 };
 
 } // namespace knead

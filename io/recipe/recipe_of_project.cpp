@@ -4,9 +4,9 @@
 #include "core/message/message.h"
 #include "io/json/exact_number.h"
 #include "io/recipe/recipe_events_text.h"
-#include "io/recipe/recipe_places.h"
+#include "io/recipe/recipe_objects.h"
 #include "io/recipe/recipe_reader.h"
-#include "io/recipe/scene_words.h"
+#include "io/recipe/recipe_tools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -42,7 +42,7 @@ public:
         , m_start(project.starts.at(project.entries.at(project.current).start))
         , m_scene(m_start.scene)
         , m_names(*project.model, m_start)
-        , m_words{project, m_start, m_names, presets, {}, toolPartsOf(project)}
+        , m_words{project, m_start, m_names, {presets, choices.recipePath}, {}, toolPartsOf(project)}
     {
         if (!choices.projectPath.empty())
             m_words.toolPartFile = seenFrom(choices.recipePath, choices.projectPath);
@@ -94,71 +94,50 @@ private:
 
     void putPart()
     {
-        ObjectText part;
+        recipe_keys::PartFiles part;
+        part.fillsOpenParts = m_project.import.fillsOpenParts;
         if (namesProject()) {
             if (m_choices.projectPath.empty())
                 throw Problem(
                     Message("Recipe", "the files of its parts are not there any more; save the project first."));
-            part.text("file", seenFrom(m_choices.recipePath, m_choices.projectPath));
+            part.files = {seenFrom(m_choices.recipePath, m_choices.projectPath)};
             if (!m_choices.namesProject)
                 m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
                                                       "the recipe takes the parts from the project."));
         } else {
-            putFiles(part);
-            putImport(part);
+            for (const std::string& path : m_project.import.paths)
+                part.files.push_back(seenFrom(m_choices.recipePath, path));
+            part.import = m_project.import.options;
         }
-        if (m_project.import.fillsOpenParts)
-            part.put("fills_open_parts", "true");
-        m_document.put("part", part.take());
+        m_document.put("part", textOf(part));
         m_document.put("spacing_mm", exactThousandfold(m_scene.bodies.front().aggregate->lattice.spacing));
         if (isAsPublished(*m_scene.bodies.front().aggregate))
             m_document.put("arrangement", quoted("published"));
     }
 
-    void putFiles(ObjectText& part) const
+    template <class Value>
+    std::string textOf(const Value& value) const
     {
-        const std::vector<std::string>& paths = m_project.import.paths;
-        if (paths.size() == 1) {
-            part.text("file", seenFrom(m_choices.recipePath, paths.front()));
-            return;
-        }
-        part.put("files", listText(paths, [this](const std::string& path) {
-                     return quoted(seenFrom(m_choices.recipePath, path));
-                 }));
+        return recipe_keys::Object<Value>{m_words.context}.text(value);
     }
 
-    void putImport(ObjectText& part) const
+    std::string materialText(const Material& material, const Material& base) const
     {
-        const ImportOptions& options = m_project.import.options;
-        const ImportOptions usual;
-        if (!options.parts.empty())
-            part.put("parts", listText(options.parts, quoted));
-        if (!options.unit.empty())
-            part.text("unit", options.unit);
-        if (!options.heal)
-            part.put("heal", "false");
-        if (options.capsFlatOpenings)
-            part.put("cap_flat_openings", "true");
-        if (options.linearDeflection != 0)
-            part.millimeters("deflection_mm", options.linearDeflection);
-        if (options.relativeDeflection != usual.relativeDeflection)
-            part.number("relative_deflection", options.relativeDeflection);
-        if (options.angularDeflection != usual.angularDeflection)
-            part.number("angular_deflection_rad", options.angularDeflection);
+        return recipe_keys::MaterialWords{m_words.context}.text(m_words.material(material, base));
     }
 
     void putBodies()
     {
         const Material& common = m_scene.bodies.front().material;
-        m_document.put("material", m_words.material(common, Material{}));
+        m_document.put("material", materialText(common, Material{}));
         ObjectText materials;
         ObjectText starts;
         std::vector<std::string> regions;
         for (BodyId b = 0; b < m_scene.bodies.size(); ++b) {
             const Body& body = m_scene.bodies[b];
             if (!(body.material == common))
-                materials.put(keyOf(b), m_words.material(body.material, common));
-            if (const std::string start = startOf(body); start != "{}")
+                materials.put(keyOf(b), materialText(body.material, common));
+            if (const std::string start = textOf(startOf(body)); start != "{}")
                 starts.put(keyOf(b), start);
             for (const MaterialRegion& region : body.regions)
                 regions.push_back(regionText(b, region));
@@ -189,41 +168,29 @@ private:
             m_document.list(key, items);
     }
 
-    static std::string startOf(const Body& body)
+    static RecipeBody startOf(const Body& body)
     {
-        ObjectText start;
-        if (body.kind != BodyKind::deformable)
-            start.put("kind", quoted(wordFor(body.kind, bodyKindWords())));
-        if (body.velocity != Vec3::Zero())
-            start.millimeters("velocity_mm_s", body.velocity);
-        if (body.angularVelocity != Vec3::Zero())
-            start.numbers("angular_velocity_rad_s", body.angularVelocity);
-        return start.take();
+        return {.kind = body.kind, .velocity = body.velocity, .angularVelocity = body.angularVelocity};
     }
 
     std::string regionText(BodyId body, const MaterialRegion& region)
     {
-        ObjectText text;
-        text.text("name", RecipeNames::unique(region.name, "region", m_regionNames)).text("body", m_names.body(body));
-        putObjects(text, m_words.aggregateOf(body), m_words.meshOf(body), region.objects);
-        text.put("material", m_words.material(region.material, m_scene.bodies[body].material));
-        return text.take();
+        RecipeMaterialRegion words{m_words.place(body, region.objects),
+                                   m_words.material(region.material, m_scene.bodies[body].material)};
+        words.name = m_regions.add(region.name, "region");
+        words.body = m_names.body(body);
+        return textOf(words);
     }
 
     void putWorld()
     {
-        ObjectText world;
         if (m_scene.touching != Touching::separate)
             m_document.put("touching", quoted(wordFor(m_scene.touching, touchingWords())));
         if (m_scene.gravity != Vec3::Zero())
             m_document.put("gravity_m_s2", listText(m_scene.gravity, exactText));
-        if (m_scene.floorHeight) {
-            ObjectText floor;
-            floor.millimeters("height_mm", *m_scene.floorHeight).number("friction", m_scene.floorFriction);
-            if (m_scene.floorAdhesion > 0)
-                floor.number("adhesion_pa", m_scene.floorAdhesion);
-            m_document.put("floor", floor.take());
-        }
+        if (m_scene.floorHeight)
+            m_document.put("floor",
+                           textOf(RecipeFloor{*m_scene.floorHeight, m_scene.floorFriction, m_scene.floorAdhesion}));
         m_document.put("integrator", quoted(wordFor(m_scene.integrator, integratorWords())));
         m_document.put("refilling", m_scene.refilling ? "true" : "false");
         if (m_scene.vicinity != VicinityMethod::uniformGrid)
@@ -238,15 +205,15 @@ private:
     {
         std::vector<std::string> fixtures;
         for (const Fixture& fixture : m_scene.fixtures)
-            fixtures.push_back(m_words.fixture(fixture));
+            fixtures.push_back(textOf(m_words.fixture(fixture)));
         putUnlessEmpty("fixtures", fixtures);
         std::vector<std::string> loads;
         for (const Load& load : m_scene.loads)
-            loads.push_back(m_words.load(load));
+            loads.push_back(textOf(m_words.load(load)));
         putUnlessEmpty("loads", loads);
         std::vector<std::string> manipulators;
         for (const Manipulator& manipulator : m_scene.manipulators)
-            manipulators.push_back(m_words.manipulator(manipulator));
+            manipulators.push_back(textOf(m_words.manipulator(manipulator)));
         putUnlessEmpty("manipulators", manipulators);
     }
 
@@ -275,7 +242,7 @@ private:
     RecipeNames m_names;
     RecipeWords m_words;
     PageText m_document;
-    std::set<std::string> m_regionNames;
+    UniqueNames m_regions;
     std::vector<Message> m_remarks;
 };
 

@@ -3,7 +3,6 @@
 #include "core/message/message.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -62,31 +61,24 @@ std::optional<Box> boxOf(const Aggregate& aggregate, const std::vector<ObjectInd
 
 } // namespace
 
-void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
-                std::vector<ObjectIndex> objects)
+RecipeRegion placeOf(const Aggregate& aggregate, const TriangleMesh* mesh, std::vector<ObjectIndex> objects)
 {
     objects = inOrder(std::move(objects), aggregate.size());
-    const std::vector<std::uint32_t> faces = facesOf(aggregate, mesh, objects);
-    if (faces.empty())
-        return putObjects(text, aggregate, std::move(objects));
-    text.put("faces", listText(faces, wholeText));
+    RecipeRegion place;
+    if (mesh != nullptr)
+        place.faces = facesOf(aggregate, *mesh, objects);
+    if (place.faces.empty())
+        place.box = boxOf(aggregate, objects);
+    if (place.faces.empty() && !place.box)
+        place.objects = {std::move(objects), aggregate.size()};
+    return place;
 }
 
-void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects)
+RecipeRegion laterPlaceOf(std::uint32_t count, std::vector<ObjectIndex> objects)
 {
-    objects = inOrder(std::move(objects), aggregate.size());
-    if (const std::optional<Box> box = boxOf(aggregate, objects)) {
-        text.millimeters("box_mm", *box);
-        return;
-    }
-    text.put("objects", stretchesText(objects)).put("objects_in_body", std::to_string(aggregate.size()));
-}
-
-void putLaterObjects(ObjectText& text, std::uint32_t count, std::vector<ObjectIndex> objects)
-{
-    text.put("objects", stretchesText(inOrder(std::move(objects), count)))
-        .put("objects_in_body", std::to_string(count))
-        .put("filled_anew", "true");
+    RecipeRegion place;
+    place.objects = {inOrder(std::move(objects), count), count, true};
+    return place;
 }
 
 } // namespace knead

@@ -1,23 +1,20 @@
 #pragma once
 
 #include "core/document/project.h"
-#include "io/json/json_text.h"
+#include "core/session/recipe.h"
 
 #include <vector>
 
 namespace knead {
 
-/// Adds what says which objects are meant: `faces` or `box_mm`, which mean something in other fillings too, where they mean
-/// exactly these objects; else `objects` one by one.
+/// Which objects are meant, without names: `faces` or `box_mm`, which mean something in other fillings too, where they mean
+/// exactly these objects; else the objects one by one.
+/// @param mesh of the body; null: faces are not among the choices
 /// @param objects of the body
 /// @throws Problem when there are none
-void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
-                std::vector<ObjectIndex> objects);
-
-/// The same where faces are not among the choices.
-void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects);
+RecipeRegion placeOf(const Aggregate& aggregate, const TriangleMesh* mesh, std::vector<ObjectIndex> objects);
 
 /// The same of a body that was filled anew by then, of which no more is known than how many objects it has.
-void putLaterObjects(ObjectText& text, std::uint32_t count, std::vector<ObjectIndex> objects);
+RecipeRegion laterPlaceOf(std::uint32_t count, std::vector<ObjectIndex> objects);
 
 } // namespace knead

@@ -2,18 +2,19 @@
 
 #include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
-#include "io/formats/cad_format.h"
-#include "io/json/json_reader.h"
 #include "io/json/json_value.h"
-#include "io/recipe/recipe_sections.h"
-#include "io/recipe/recipe_values.h"
-#include "io/recipe/scene_words.h"
+#include "io/recipe/recipe_events.h"
+#include "io/recipe/recipe_exports.h"
+#include "io/recipe/recipe_objects.h"
+#include "io/recipe/recipe_tools.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
 namespace knead {
+
+namespace recipe_keys {
 
 namespace {
 
@@ -41,84 +42,83 @@ SpacingChoice readSpacing(const JsonNode& root)
     return {Kind::Objects, objects->number(8, 2e7)};
 }
 
-std::vector<std::pair<std::string, Material>> readBodyMaterials(const JsonNode& node, const Material& base,
-                                                                const std::vector<MaterialPreset>& presets)
+const Choices<Arrangement>& arrangementWords()
 {
-    std::vector<std::pair<std::string, Material>> materials;
-    for (const std::string& body : node.keys())
-        materials.emplace_back(body, readRecipeMaterial(node.at(body), presets).on(base));
-    return materials;
+    static const Choices<Arrangement> words{{"cut-cells", Arrangement::cutCells},
+                                            {"published", Arrangement::published}};
+    return words;
 }
 
-RecipeFloor readFloor(const JsonNode& node)
+/// Of all bodies, and of some by their names.
+void readMaterials(const JsonNode& root, const Context& context, Recipe& recipe)
 {
-    node.allowOnly({"height_mm", "friction", "adhesion_pa"});
-    RecipeFloor floor;
-    floor.height = node.at("height_mm").thousandth();
-    if (const auto friction = node.find("friction"))
-        floor.friction = friction->number(0, 2);
-    if (const auto adhesion = node.find("adhesion_pa"))
-        floor.adhesion = adhesion->number(0, 1e9);
-    return floor;
+    const MaterialWords material{context};
+    if (const auto node = root.find("material"))
+        recipe.material = material.read(*node).on(Material{});
+    if (const auto node = root.find("body_materials"))
+        for (const std::string& body : node->keys())
+            recipe.bodyMaterials.emplace_back(body, material.read(node->at(body)).on(recipe.material));
 }
 
-RecipeProbe readProbe(const JsonNode& node)
-{
-    node.allowOnly({"name", "body", "place_mm"});
-    RecipeProbe probe{.name = node.at("name").text(), .body = {}, .place = readPlace(node.at("place_mm"))};
-    if (const auto body = node.find("body"))
-        probe.body = body->text();
-    return probe;
-}
-
-template <class Named>
-void checkNameIsNew(const JsonNode& node, const std::vector<Named>& others, const std::string& name)
-{
-    const auto same = [&](const Named& other) { return other.name == name; };
-    if (std::any_of(others.begin(), others.end(), same))
-        node.at("name").fail(Message("Recipe", "is used twice: \"%1\".").with(name));
-}
+/// An object whose keys are the names of bodies.
+struct Bodies {
+    const Context& context;
+    std::vector<RecipeBody> read(const JsonNode& node) const
+    {
+        std::vector<RecipeBody> bodies;
+        for (const std::string& name : node.keys())
+            bodies.push_back(Object<RecipeBody>{context}.read(node.at(name), {.name = name}));
+        return bodies;
+    }
+};
 
 /// What is held from the start on is named in the first filling.
-RecipeFixture readFirstFixture(const JsonNode& node)
-{
-    RecipeFixture fixture = readRecipeFixture(node);
-    if (fixture.objects && fixture.objects->isFilledAnew)
-        node.at("filled_anew").fail(Message("Recipe", "belongs to events: at the start nothing has been filled anew."));
-    return fixture;
-}
+struct FirstFixture {
+    const Context& context;
+    RecipeFixture read(const JsonNode& node) const
+    {
+        RecipeFixture fixture = Object<RecipeFixture>{context}.read(node);
+        if (fixture.objects && fixture.objects->isFilledAnew)
+            node.at("filled_anew")
+                .fail(Message("Recipe", "belongs to events: at the start nothing has been filled anew."));
+        return fixture;
+    }
+};
 
 /// A list whose items have names, each used once.
-template <class Read>
-auto readNamed(const JsonNode& node, Read read)
-{
-    std::vector<decltype(read(node))> all;
-    for (const JsonNode& item : node.items()) {
-        auto one = read(item);
-        checkNameIsNew(item, all, one.name);
-        all.push_back(std::move(one));
+template <class Kind>
+struct Named {
+    Kind kind;
+    auto read(const JsonNode& node) const
+    {
+        std::vector<decltype(kind.read(node))> all;
+        for (const JsonNode& item : node.items()) {
+            auto one = kind.read(item);
+            if (std::ranges::any_of(all, [&](const auto& other) { return other.name == one.name; }))
+                item.at("name").fail(Message("Recipe", "is used twice: \"%1\".").with(one.name));
+            all.push_back(std::move(one));
+        }
+        return all;
     }
-    return all;
-}
+};
+template <class Kind>
+Named(Kind) -> Named<Kind>;
 
-std::vector<RecipeExport> readExports(const JsonNode& node)
-{
-    std::vector<RecipeExport> exports;
-    for (const JsonNode& item : node.items()) {
-        RecipeExport wanted = readRecipeExport(item);
-        const auto same = [&](const RecipeExport& other) { return other.file == wanted.file; };
-        if (std::any_of(exports.begin(), exports.end(), same))
-            item.at("file").fail(Message("Recipe", "is written twice: \"%1\".").with(wanted.file));
-        exports.push_back(std::move(wanted));
+/// A list of files, each written once.
+struct Exports {
+    const Context& context;
+    std::vector<RecipeExport> read(const JsonNode& node) const
+    {
+        std::vector<RecipeExport> exports;
+        for (const JsonNode& item : node.items()) {
+            RecipeExport wanted = readExport(item, context);
+            if (std::ranges::any_of(exports, [&](const RecipeExport& other) { return other.file == wanted.file; }))
+                item.at("file").fail(Message("Recipe", "is written twice: \"%1\".").with(wanted.file));
+            exports.push_back(std::move(wanted));
+        }
+        return exports;
     }
-    return exports;
-}
-
-std::optional<double> readTimeStep(const JsonNode& root, const char* key)
-{
-    const auto node = root.find(key);
-    return node ? std::optional(node->number(shortestTimeStep, longestTimeStep)) : std::nullopt;
-}
+};
 
 /// As recordings do.
 bool namesSteps(const Recipe& recipe)
@@ -127,70 +127,18 @@ bool namesSteps(const Recipe& recipe)
            std::ranges::any_of(recipe.events, [](const RecipeEvent& event) { return event.step.has_value(); });
 }
 
-/// Recordings of before know nothing of it.
-bool readRefilling(const JsonNode& root, const Recipe& recipe)
-{
-    const auto node = root.find("refilling");
-    return node ? node->boolean() : !namesSteps(recipe);
-}
-
 /// Who numbers steps, or says how long they are, means those of the explicit scheme, whose they have always been. So does who wants
-/// to see less than some frames: implicit steps last a frame each, and take no note of what a blow does in between.
-Integrator readIntegrator(const JsonNode& root, const Recipe& recipe)
+/// to see less than some frames: implicit steps last a frame each, and take no note of what a blow does in between. Recordings of
+/// before know nothing of refilling.
+void chooseMethod(const JsonNode& root, Recipe& recipe)
 {
     constexpr double shortestOfFrames = 1.0 / 6; // [s]
-    const auto node = root.find("integrator");
-    const Integrator chosen = node ? readChoice(*node, integratorWords()) : Integrator::automatic;
     const bool isShort = !recipe.durationSteps && recipe.duration < shortestOfFrames;
-    const bool staysExplicit = isShort || (!node && namesSteps(recipe));
-    return chosen == Integrator::automatic && staysExplicit ? Integrator::semiImplicitEuler : chosen;
-}
-
-/// How the scene is calculated.
-void readMethod(const JsonNode& root, Recipe& recipe)
-{
-    if (const auto node = root.find("vicinity"))
-        recipe.vicinity = readChoice(*node, vicinityWords());
-    recipe.timeStep = readTimeStep(root, "time_step_s");
-    recipe.massScalingTimeStep = readTimeStep(root, "mass_scaling_time_step_s");
-}
-
-/// Where the objects are: parts and how they are filled.
-void readParts(const JsonNode& root, Recipe& recipe)
-{
-    readRecipePart(root.at("part"), recipe);
-    if (const auto node = root.find("extra_parts"))
-        for (const JsonNode& item : node->items())
-            recipe.extraParts.push_back(readRecipeExtraPart(item, recipe.file));
-    recipe.spacing = readSpacing(root);
-    if (const auto node = root.find("arrangement"))
-        recipe.arrangement = readChoice<Arrangement>(
-            *node, {{"cut-cells", Arrangement::cutCells}, {"published", Arrangement::published}});
-    if (recipe.arrangement == Arrangement::published && recipe.spacing.kind != SpacingChoice::Kind::Length)
-        root.at("arrangement").fail(Message("Recipe", "is \"published\", which needs spacing_mm."));
-}
-
-/// What the bodies are made of, how they begin and what holds them.
-void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets, Recipe& recipe)
-{
-    if (const auto node = root.find("material"))
-        recipe.material = readRecipeMaterial(*node, presets).on(Material{});
-    if (const auto node = root.find("body_materials"))
-        recipe.bodyMaterials = readBodyMaterials(*node, recipe.material, presets);
-    if (const auto node = root.find("regions"))
-        recipe.regions =
-            readNamed(*node, [&](const JsonNode& item) { return readRecipeMaterialRegion(item, presets); });
-    if (const auto node = root.find("bodies"))
-        for (const std::string& name : node->keys())
-            recipe.bodies.push_back(readRecipeBody(node->at(name), name));
-    if (const auto node = root.find("touching"))
-        recipe.touching = readChoice(*node, touchingWords());
-    if (const auto node = root.find("structural_friction"))
-        recipe.structuralFriction = node->number(0, 2);
-    if (const auto node = root.find("fixtures"))
-        recipe.fixtures = readNamed(*node, readFirstFixture);
-    if (const auto node = root.find("loads"))
-        recipe.loads = readNamed(*node, readRecipeLoad);
+    const bool staysExplicit = isShort || (!root.find("integrator") && namesSteps(recipe));
+    if (recipe.integrator == Integrator::automatic && staysExplicit)
+        recipe.integrator = Integrator::semiImplicitEuler;
+    if (!root.find("refilling"))
+        recipe.refilling = !namesSteps(recipe);
 }
 
 /// Names of fixtures and manipulators as they come up, each used once.
@@ -278,16 +226,15 @@ double latestTime(const JsonNode& node, const Recipe& recipe)
     return resets || recipe.durationSteps ? longestDuration : recipe.duration;
 }
 
-std::vector<RecipeEvent> readEvents(const JsonNode& node, const Recipe& recipe,
-                                    const std::vector<MaterialPreset>& presets)
+std::vector<RecipeEvent> readEvents(const JsonNode& node, const Recipe& recipe, const Context& context)
 {
-    const EventContext context{presets, recipe.file, latestTime(node, recipe)};
+    const double latest = latestTime(node, recipe);
     EventNames names(recipe);
     EventOrder order;
     std::vector<RecipeEvent> events;
     const std::vector<JsonNode> items = node.items();
     for (std::size_t i = 0; i < items.size(); ++i)
-        for (RecipeEvent& event : readRecipeEvent(items[i], context)) {
+        for (RecipeEvent& event : readEvent(items[i], latest, context)) {
             names.check(items[i], event.action);
             order.check(items[i], event);
             event.item = i;
@@ -336,79 +283,99 @@ JsonNode rootOf(JsonValue recipe, const std::string& path, const std::vector<Rec
     return JsonNode::ofValue(std::move(recipe), changes.empty() ? file : file + " with --set");
 }
 
+} // namespace
+
+template <class Fields>
+void describeKeys(Fields& fields, RecipeExtraPart& part)
+{
+    fields.needed("file", part.file, FilePath{fields.context});
+    fields.optional("name", part.name, Text{});
+    fields.optional("position_mm", part.pose.position, VectorInMillimeters{});
+    fields.optional("rotation_deg", part.pose.rotation, RotationInDegrees{});
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, RecipeProbe& probe)
+{
+    fields.needed("name", probe.name, Text{});
+    fields.optional("body", probe.body, Text{});
+    fields.needed("place_mm", probe.place, VectorInMillimeters{});
+}
+
+template <class Fields>
+void describeKeys(Fields& fields, Recipe& recipe)
+{
+    const Context& context = fields.context;
+    int version = 1;
+    fields.needed("version", version, Whole{1, 1});
+    fields.together({"part"}, [&](const JsonNode& root) {
+        PartFiles part = Object<PartFiles>{context}.read(root.at("part"));
+        recipe.part = part.files.front();
+        recipe.partsBeside.assign(part.files.begin() + 1, part.files.end());
+        recipe.import = part.import;
+        recipe.fillsOpenParts = part.fillsOpenParts;
+    });
+    fields.optional("extra_parts", recipe.extraParts, ListOf{Object<RecipeExtraPart>{context}});
+    fields.together({"spacing_mm", "cells_across", "cells_across_wall", "objects"},
+                    [&](const JsonNode& root) { recipe.spacing = readSpacing(root); });
+    fields.optional("arrangement", recipe.arrangement, Word{arrangementWords()});
+    fields.check([&](const JsonNode& root) {
+        if (recipe.arrangement == Arrangement::published && recipe.spacing.kind != SpacingChoice::Kind::Length)
+            root.at("arrangement").fail(Message("Recipe", "is \"published\", which needs spacing_mm."));
+    });
+    fields.together({"material", "body_materials"},
+                    [&](const JsonNode& root) { readMaterials(root, context, recipe); });
+    fields.optional("regions", recipe.regions, Named{Object<RecipeMaterialRegion>{context}});
+    fields.optional("bodies", recipe.bodies, Bodies{context});
+    fields.optional("structural_friction", recipe.structuralFriction, Number{0, 2});
+    fields.optional("fixtures", recipe.fixtures, Named{FirstFixture{context}});
+    fields.optional("loads", recipe.loads, Named{Object<RecipeLoad>{context}});
+    fields.optional("probes", recipe.probes, Named{Object<RecipeProbe>{context}});
+    fields.together({"analysis", "load_steps"}, [&](const JsonNode& root) { readAnalysis(root, recipe); });
+    fields.optional("manipulators", recipe.manipulators, Named{Object<RecipeManipulator>{context}});
+    fields.optional("gravity_m_s2", recipe.gravity, Vector{strongestGravity});
+    fields.optional("floor", recipe.floor, Object<RecipeFloor>{context});
+    fields.optional("touching", recipe.touching, Word{touchingWords()});
+    fields.optional("integrator", recipe.integrator, Word{integratorWords()});
+    fields.optional("vicinity", recipe.vicinity, Word{vicinityWords()});
+    fields.optional("refilling", recipe.refilling, Flag{});
+    fields.optional("time_step_s", recipe.timeStep, Number{shortestTimeStep, longestTimeStep});
+    fields.optional("mass_scaling_time_step_s", recipe.massScalingTimeStep, Number{shortestTimeStep, longestTimeStep});
+    fields.together({"duration_s", "duration_steps"}, [&](const JsonNode& root) { readDuration(root, recipe); });
+    fields.together({"events"}, [&](const JsonNode& root) {
+        if (const auto node = root.find("events"))
+            recipe.events = readEvents(*node, recipe, context);
+    });
+    fields.optional("exports", recipe.exports, Exports{context});
+    fields.check([&](const JsonNode& root) { chooseMethod(root, recipe); });
+}
+
+namespace {
+
 Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector<MaterialPreset>& presets)
 {
-    root.allowOnly({"version",
-                    "part",
-                    "extra_parts",
-                    "spacing_mm",
-                    "cells_across",
-                    "cells_across_wall",
-                    "objects",
-                    "arrangement",
-                    "material",
-                    "body_materials",
-                    "regions",
-                    "bodies",
-                    "structural_friction",
-                    "fixtures",
-                    "loads",
-                    "probes",
-                    "analysis",
-                    "load_steps",
-                    "manipulators",
-                    "gravity_m_s2",
-                    "floor",
-                    "touching",
-                    "integrator",
-                    "vicinity",
-                    "refilling",
-                    "time_step_s",
-                    "mass_scaling_time_step_s",
-                    "duration_s",
-                    "duration_steps",
-                    "events",
-                    "exports"});
-    root.at("version").integer(1, 1);
-
+    const Context context{presets, path};
     Recipe recipe;
     recipe.file = path;
-    readParts(root, recipe);
-    readMethod(root, recipe);
-    readDuration(root, recipe);
-    readAnalysis(root, recipe);
-    readBodies(root, presets, recipe);
-    if (const auto node = root.find("manipulators"))
-        recipe.manipulators = readNamed(*node, [&](const JsonNode& item) { return readRecipeManipulator(item, path); });
-    if (const auto node = root.find("gravity_m_s2"))
-        recipe.gravity = readVector(*node, strongestGravity);
-    if (const auto node = root.find("floor"))
-        recipe.floor = readFloor(*node);
-    if (const auto node = root.find("events"))
-        recipe.events = readEvents(*node, recipe, presets);
-    if (const auto node = root.find("probes"))
-        recipe.probes = readNamed(*node, readProbe);
-    if (const auto node = root.find("exports"))
-        recipe.exports = readExports(*node);
-    recipe.integrator = readIntegrator(root, recipe);
-    recipe.refilling = readRefilling(root, recipe);
-    return recipe;
+    return Object<Recipe>{context}.read(root, std::move(recipe));
 }
 
 } // namespace
 
+} // namespace recipe_keys
+
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
                   const std::vector<RecipeOverride>& changes)
 {
-    return readRoot(rootOf(readJsonFile(path), path, changes), path, presets);
+    return recipe_keys::readRoot(recipe_keys::rootOf(readJsonFile(path), path, changes), path, presets);
 }
 
 Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
                       const std::vector<RecipeOverride>& changes)
 {
-    JsonValue recipe = parseJson(text, std::filesystem::path(path).filename().string());
-    forgetLines(recipe);
-    return readRoot(rootOf(std::move(recipe), path, changes), path, presets);
+    JsonValue root = parseJson(text, std::filesystem::path(path).filename().string());
+    forgetLines(root);
+    return recipe_keys::readRoot(recipe_keys::rootOf(std::move(root), path, changes), path, presets);
 }
 
 } // namespace knead

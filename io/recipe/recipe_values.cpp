@@ -3,7 +3,6 @@
 #include "core/message/message.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -70,12 +69,6 @@ Pose readPose(const JsonNode& node, Pose pose)
     if (exact)
         pose.rotation = readQuaternion(*exact);
     return pose;
-}
-
-std::vector<std::string> withPoseKeys(std::vector<std::string> keys)
-{
-    keys.insert(keys.end(), {"position_mm", "rotation_deg", "rotation_wxyz"});
-    return keys;
 }
 
 std::vector<double> readLengths(const JsonNode& node, std::size_t count)

@@ -62,9 +62,6 @@ Quaternion readQuaternion(const JsonNode& node);
 /// Place and rotation: `position_mm`, and `rotation_deg` or, to the last bit, `rotation_wxyz`. What is not said is as in `pose`.
 Pose readPose(const JsonNode& node, Pose pose);
 
-/// The keys of readPose(), added to those of an object.
-std::vector<std::string> withPoseKeys(std::vector<std::string> keys);
-
 /// Numbers greater than 0 in millimeters [m].
 std::vector<double> readLengths(const JsonNode& node, std::size_t count);
 

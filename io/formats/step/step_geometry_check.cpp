@@ -59,7 +59,6 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_Vertex.hxx>
 #include <StepShape_VertexPoint.hxx>
-#include <TColStd_HArray1OfReal.hxx>
 
 #include <algorithm>
 #include <functional>

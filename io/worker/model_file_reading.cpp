@@ -1,7 +1,8 @@
-#include "io/worker/model_file.h"
-
+// Models, previews and failures from bytes, of which nothing is trusted.
 #include "core/message/message.h"
 #include "io/json/message_json.h"
+#include "io/worker/model_file.h"
+#include "io/worker/model_format.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <type_traits>
 #include <vector>
 
 namespace knead {
@@ -20,33 +20,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view modelMark = "KNEADMDL1\n";
-constexpr std::string_view previewMark = "KNEADPRV1\n";
-constexpr std::string_view failureMark = "KNEADERR1\n";
-constexpr std::size_t headerSize = 32; // mark, length of the JSON document; arrays start at multiples of 8
-constexpr std::size_t alignment = 8;
-
 [[noreturn]] void fail(const std::string& what)
 {
     throw Problem(Message::verbatim("model file: " + what));
-}
-
-std::size_t aligned(std::size_t size)
-{
-    return (size + alignment - 1) / alignment * alignment;
-}
-
-// --- writing ----------------------------------------------------------------------------------------------------------
-
-/// Flat, each node with the number of its parent, since a tree may be thousands of levels deep.
-/// In English, as earlier versions read them, and with what goes into them.
-void put(Json& json, const std::string& key, const std::vector<Message>& messages)
-{
-    Json& english = json[key] = Json::array();
-    for (const Message& message : messages)
-        english.push_back(message.english());
-    if (!messages.empty())
-        json[key + "Said"] = toJson(messages);
 }
 
 std::vector<Message> taken(const Json& json, const std::string& key)
@@ -54,124 +30,6 @@ std::vector<Message> taken(const Json& json, const std::string& key)
     const auto said = json.find(key + "Said");
     return messagesFrom(said != json.end() ? *said : json.at(key));
 }
-
-void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
-{
-    const auto own = static_cast<std::int64_t>(nodes.size());
-    Json json{{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}};
-    if (!node.product.empty())
-        json["product"] = node.product;
-    if (!node.partNumber.empty())
-        json["partNumber"] = node.partNumber;
-    if (node.holdsBodies)
-        json["holdsBodies"] = true;
-    nodes.push_back(std::move(json));
-    for (const PartNode& child : node.children)
-        addNodes(child, own, nodes);
-}
-
-class ModelWriter {
-public:
-    std::string bytes(const Model& model)
-    {
-        const std::string document = toJson(model).dump(-1, ' ', false, Json::error_handler_t::replace);
-        std::string result(headerSize, '\0');
-        std::copy(modelMark.begin(), modelMark.end(), result.begin());
-        const std::uint64_t length = document.size();
-        std::memcpy(result.data() + headerSize - sizeof length, &length, sizeof length);
-        result += document;
-        result.resize(aligned(result.size()), ' ');
-        return result + m_arrays;
-    }
-
-private:
-    /// Place and length of an array among the others.
-    template <class Element>
-    Json array(const std::vector<Element>& elements)
-    {
-        static_assert(std::is_trivially_copyable_v<Element> || std::is_same_v<Element, Vec3>);
-        const std::size_t begin = m_arrays.size();
-        m_arrays.append(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element));
-        m_arrays.resize(aligned(m_arrays.size()), '\0');
-        return {begin, elements.size()};
-    }
-
-    /// Parts of a file share theirs.
-    Json exactBytes(const std::shared_ptr<const std::string>& bytes)
-    {
-        const auto found = m_exact.find(bytes.get());
-        if (found != m_exact.end())
-            return found->second;
-        return m_exact[bytes.get()] = array(std::vector<char>(bytes->begin(), bytes->end()));
-    }
-
-    static Json numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-    static Json colorOrNull(const std::optional<Color>& color)
-    {
-        return color ? Json{color->r, color->g, color->b} : Json(nullptr);
-    }
-
-    Json toJson(const Part& part)
-    {
-        Json json{{"name", part.name},
-                  {"path", part.path},
-                  {"color", colorOrNull(part.color)},
-                  {"vertices", array(part.mesh.vertices)},
-                  {"triangles", array(part.mesh.triangles)},
-                  {"faceOfTriangle", array(part.mesh.faceOfTriangle)},
-                  {"solids", part.solids},
-                  {"shells", part.shells},
-                  {"edges", part.edges},
-                  {"volume", part.volume},
-                  {"area", part.area},
-                  {"watertight", part.watertight},
-                  {"valid", part.valid},
-                  {"insideOut", part.insideOut},
-                  {"maxTolerance", part.maxTolerance},
-                  {"visible", part.visible},
-                  {"layer", part.layer}};
-        put(json, "repairs", part.repairs);
-        put(json, "warnings", part.warnings);
-        if (!part.bodyOf.empty())
-            json["bodyOf"] = part.bodyOf;
-        if (!part.box.isEmpty())
-            json["box"] = {numbers(part.box.min()), numbers(part.box.max())};
-        if (part.exact)
-            json["exact"] = {exactBytes(part.exact->bytes), part.exact->number, part.exact->unit};
-        Json& faces = json["faces"] = Json::array();
-        for (const PartFace& face : part.faces)
-            faces.push_back(colorOrNull(face.color));
-        Json& edges = json["openEdges"] = Json::array();
-        for (const std::vector<Vec3>& edge : part.openEdges)
-            edges.push_back(array(edge));
-        return json;
-    }
-
-    Json toJson(const Model& model)
-    {
-        Json json{{"file", model.file},
-                  {"format", model.format},
-                  {"unit", model.unit},
-                  {"parts", Json::array()},
-                  {"nodes", Json::array()}};
-        put(json, "warnings", model.warnings);
-        put(json, "missing", model.missing);
-        if (model.unitRemark)
-            json["unitRemark"] = {{"sentence", model.unitRemark->sentence.english()},
-                                  {"said", knead::toJson(model.unitRemark->sentence)},
-                                  {"unit", model.unitRemark->unit}};
-        for (const Part& part : model.parts)
-            json["parts"].push_back(toJson(part));
-        addNodes(model.tree, -1, json["nodes"]);
-        return json;
-    }
-
-    std::string m_arrays;
-    std::map<const std::string*, Json> m_exact;
-};
-
-// --- reading ----------------------------------------------------------------------------------------------------------
 
 double finite(const Json& json)
 {
@@ -249,14 +107,14 @@ public:
     explicit ModelReader(std::string_view bytes)
     {
         std::uint64_t length = 0;
-        if (bytes.size() < headerSize || !bytes.starts_with(modelMark))
+        if (bytes.size() < model_format::headerSize || !bytes.starts_with(model_format::modelMark))
             fail("it does not start as one");
-        std::memcpy(&length, bytes.data() + headerSize - sizeof length, sizeof length);
-        if (length > bytes.size() - headerSize)
+        std::memcpy(&length, bytes.data() + model_format::headerSize - sizeof length, sizeof length);
+        if (length > bytes.size() - model_format::headerSize)
             fail("it is cut off");
-        const std::string_view document = bytes.substr(headerSize, length);
+        const std::string_view document = bytes.substr(model_format::headerSize, length);
         m_json = Json::parse(document.begin(), document.end());
-        m_arrays = bytes.substr(std::min(bytes.size(), aligned(headerSize + length)));
+        m_arrays = bytes.substr(std::min(bytes.size(), model_format::aligned(model_format::headerSize + length)));
     }
 
     Model model()
@@ -369,11 +227,6 @@ private:
 
 } // namespace
 
-std::string modelToBytes(const Model& model)
-{
-    return ModelWriter().bytes(model);
-}
-
 Model modelFromBytes(std::string_view bytes)
 {
     try {
@@ -383,20 +236,12 @@ Model modelFromBytes(std::string_view bytes)
     }
 }
 
-std::string previewToBytes(const FilePreview& preview)
-{
-    Json json{{"size", preview.size},   {"format", preview.format}, {"solids", preview.solids},
-              {"faces", preview.faces}, {"parts", preview.parts},   {"nodes", Json::array()}};
-    addNodes(preview.tree, -1, json["nodes"]);
-    return std::string(previewMark) + json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 FilePreview previewFromBytes(std::string_view bytes)
 {
-    if (!bytes.starts_with(previewMark))
+    if (!bytes.starts_with(model_format::previewMark))
         fail("it is no preview");
     try {
-        const Json json = Json::parse(bytes.substr(previewMark.size()));
+        const Json json = Json::parse(bytes.substr(model_format::previewMark.size()));
         FilePreview preview;
         preview.size = json.at("size").get<std::uint64_t>();
         preview.format = json.at("format").get<std::string>();
@@ -410,20 +255,11 @@ FilePreview previewFromBytes(std::string_view bytes)
     }
 }
 
-std::string failureToBytes(const Message& sentence)
-{
-    try {
-        return std::string(failureMark) + toJson(sentence).dump();
-    } catch (const Json::type_error&) { // the name of a file need not be UTF-8
-        return std::string(failureMark) + sentence.english();
-    }
-}
-
 Message failureIn(std::string_view bytes)
 {
-    if (!bytes.starts_with(failureMark))
+    if (!bytes.starts_with(model_format::failureMark))
         return {};
-    const std::string_view text = bytes.substr(failureMark.size());
+    const std::string_view text = bytes.substr(model_format::failureMark.size());
     try {
         return messageFrom(Json::parse(text));
     } catch (const Json::exception&) {
