@@ -95,35 +95,35 @@ void Simulation::State::chooseIntegrator()
         needed += static_cast<double>(run->connections.count()) *
                   ((run->connections.hasBulk() ? volumetricCost : 1) + plastic);
     }
-    const double explicitStep = wantedTimeStep.value_or(timeStepShare * stableStep);
+    const double explicitStep = chosen.timeStep.value_or(timeStepShare * steps.stable);
     const double stepsPerSecond = 1 / explicitStep;
     needed *= stepsPerSecond;
     const bool keepsUp = needed <= connectionStepsPerSecond;
-    Integrator chosen = wantedIntegrator;
-    if (wantedIntegrator == Integrator::automatic)
-        chosen = keepsUp ? Integrator::semiImplicitEuler : Integrator::implicitEuler;
-    integratorReason = reasonOf(chosen, wantedIntegrator != Integrator::automatic, stepsPerSecond, keepsUp);
-    if (chosen != integrator || step == 0) {
+    Integrator next = scheme.wanted;
+    if (scheme.wanted == Integrator::automatic)
+        next = keepsUp ? Integrator::semiImplicitEuler : Integrator::implicitEuler;
+    scheme.reason = reasonOf(next, scheme.wanted != Integrator::automatic, stepsPerSecond, keepsUp);
+    if (next != scheme.inUse || steps.count == 0) {
         // From here on velocities and places belong to the same time, as at the start.
-        lastStep = 0;
-        lastKick = 0;
-        unknownEnergy = 0;
+        steps.last = 0;
+        travel.lastKick = 0;
+        accounts.unknown = 0;
     }
-    integrator = chosen;
+    scheme.inUse = next;
     const double stored = contacts->setScheme(surfaces(), isImplicit());
     contactReport.energy += stored;
-    energy.numerical -= stored;
-    timeStep = isImplicit() ? frameStep() : explicitStep;
+    accounts.energy.numerical -= stored;
+    steps.length = isImplicit() ? frameStep() : explicitStep;
 }
 
-void Simulation::State::setIntegrator(Integrator chosen)
+void Simulation::State::setIntegrator(Integrator wanted)
 {
-    wantedIntegrator = chosen;
+    scheme.wanted = wanted;
     // The stable step is that of the scheme in use.
-    integrator = chosen == Integrator::forwardEuler ? chosen : Integrator::semiImplicitEuler;
-    lastStep = 0;
-    lastKick = 0;
-    unknownEnergy = 0;
+    scheme.inUse = wanted == Integrator::forwardEuler ? wanted : Integrator::semiImplicitEuler;
+    steps.last = 0;
+    travel.lastKick = 0;
+    accounts.unknown = 0;
     updateTimeStep();
     chooseIntegrator();
 }
@@ -137,7 +137,7 @@ double Simulation::State::handStiffness(const Manipulator& manipulator) const
 /// Where the hand of a tool wants it after a time from now.
 Pose Simulation::State::wantedPose(const ToolRun& tool, double duration) const
 {
-    return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, time, duration), duration);
+    return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, steps.time, duration), duration);
 }
 
 /// Whether the material holds the tool up on a way.
@@ -204,12 +204,12 @@ std::vector<ToolHand> Simulation::State::beginHands()
 {
     std::vector<ToolHand> hands;
     std::uint32_t surface = 0;
-    surfaceTravel = 0;
+    travel.ofSurfaces = 0;
     for (auto& tool : tools) {
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        const Pose next = wantedPose(*tool, timeStep);
+        const Pose next = wantedPose(*tool, steps.length);
         const Vec3 way = next.position - manipulator.pose.position;
         if (std::isfinite(manipulator.forceLimit))
             hands.push_back({.surface = surface,
@@ -219,14 +219,14 @@ std::vector<ToolHand> Simulation::State::beginHands()
                              .limit = manipulator.forceLimit,
                              .stiffness = handStiffness(manipulator)});
         if (!isStalled(*tool, way))
-            tool->velocity = way / timeStep;
+            tool->velocity = way / steps.length;
         turnTool(*tool, next.rotation);
-        manipulator.pose.position += timeStep * tool->velocity;
+        manipulator.pose.position += steps.length * tool->velocity;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
-        surfaceTravel = std::max(surfaceTravel, speed * timeStep);
+        travel.ofSurfaces = std::max(travel.ofSurfaces, speed * steps.length);
         ++surface;
     }
-    surfaceTravel += strayed;
+    travel.ofSurfaces += travel.strayed;
     turnGrips();
     return hands;
 }
@@ -251,8 +251,8 @@ void Simulation::State::endHands(const std::vector<ToolHand>& hands)
 /// Implicit steps are no longer than this [s].
 double Simulation::State::frameStep() const
 {
-    const double longest = numbersOf(pace).longestStep;
-    return std::min(longest, wantedTimeStep.value_or(longest));
+    const double longest = numbersOf(scheme.pace).longestStep;
+    return std::min(longest, chosen.timeStep.value_or(longest));
 }
 
 /// The longest step in which nothing goes too far at present speeds: a half, a quarter ... of a frame.
@@ -268,11 +268,11 @@ double Simulation::State::longestImplicitStep() const
     double h = longest;
     for (int halving = 0; halving < mostHalvings && fastest * h > travelShare * spacing; ++halving)
         h /= 2;
-    const bool isLonger = lastStep > 0 && h > lastStep;
+    const bool isLonger = steps.last > 0 && h > steps.last;
     if (isLonger) {
-        h = std::min(2 * lastStep, longest);
+        h = std::min(2 * steps.last, longest);
         if (fastest * h > calmShare * travelShare * spacing)
-            h = lastStep;
+            h = steps.last;
     }
     return h;
 }
@@ -298,22 +298,22 @@ void Simulation::State::makeImplicit()
     }
     implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools());
     if (!loads.empty())
-        implicit->setLoads([this] { return addLoads(time + timeStep); });
+        implicit->setLoads([this] { return addLoads(steps.time + steps.length); });
 }
 
 /// A step that was taken though its equations were not solved is counted; the first one is said.
 void Simulation::State::countSolved(bool isSolved)
 {
-    unsolvedInRow = isSolved ? 0 : unsolvedInRow + 1;
+    watch.unsolvedInRow = isSolved ? 0 : watch.unsolvedInRow + 1;
     if (isSolved)
         return;
-    if (++unsolvedSteps > 1)
+    if (++watch.unsolved > 1)
         return;
-    notice =
+    out.notice =
         Message("Run",
                 "The equations of the step at %1 s could not be solved: forces and places are rough from there on. "
                 "Make tools slower, or choose a shorter time step.")
-            .with(inDigits(time, 3));
+            .with(inDigits(steps.time, 3));
 }
 
 void Simulation::State::stepImplicitly()
@@ -322,30 +322,31 @@ void Simulation::State::stepImplicitly()
         makeImplicit();
     const bool flows = std::any_of(runs.begin(), runs.end(),
                                    [](const auto& run) { return run->deforms() && run->connections.yields(); });
-    implicit->setTolerance(flows ? numbersOf(pace).whereItFlows : numbersOf(pace).tolerance);
+    implicit->setTolerance(flows ? numbersOf(scheme.pace).whereItFlows : numbersOf(scheme.pace).tolerance);
     for (BodyId b = 0; b < runs.size(); ++b)
         piecesOf(b); // which `implicit` looks at
     const std::vector<ToolPlace> before = toolPlaces();
     const double spacing = smallestSpacing(bodies);
-    timeStep = longestImplicitStep();
+    steps.length = longestImplicitStep();
     ImplicitEuler::Report report;
     std::vector<ToolHand> hands;
-    solverIterations = 0;
+    scheme.iterations = 0;
     const double contactEnergy = contactReport.energy;
     for (int halvings = 0;; ++halvings) {
         hands = beginHands();
         updateVicinity();
         std::vector<RigidSurface> likely = surfaces();
-        report = implicit->step(*contacts, likely, hands, gravity, timeStep, contactEnergy);
-        solverIterations += report.iterations;
-        strayed = 0;
+        report = implicit->step(*contacts, likely, hands, around.gravity, steps.length, contactEnergy);
+        scheme.iterations += report.iterations;
+        travel.strayed = 0;
         for (std::size_t s = 0; s < likely.size(); ++s)
-            strayed = std::max(strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
-        const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing ||
-                                strayed > travelShare * spacing;
+            travel.strayed =
+                std::max(travel.strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
+        const bool wentTooFar = !report.converged || report.largestSpeed * steps.length > farthestShare * spacing ||
+                                travel.strayed > travelShare * spacing;
         if (!wentTooFar || halvings == mostHalvings)
             break;
-        timeStep /= 2;
+        steps.length /= 2;
         for (std::size_t t = 0; t < tools.size(); ++t)
             if (tools[t])
                 std::tie(tools[t]->manipulator.pose, tools[t]->velocity) = std::tie(before[t].pose, before[t].velocity);
@@ -354,39 +355,39 @@ void Simulation::State::stepImplicitly()
     endHands(hands);
     contactReport = report.contacts;
     for (int round = 0; round < mostBreakingRounds && report.converged; ++round) {
-        const double fractured = energy.fracture;
+        const double fractured = accounts.energy.fracture;
         if (breakConnections() == 0)
             break;
         for (BodyId b = 0; b < runs.size(); ++b)
             piecesOf(b);
-        report = implicit->goOn(*contacts, gravity, timeStep, energy.fracture - fractured);
+        report = implicit->goOn(*contacts, around.gravity, steps.length, accounts.energy.fracture - fractured);
         endHands(hands);
         contactReport = report.contacts;
-        solverIterations += report.iterations;
+        scheme.iterations += report.iterations;
     }
     countSolved(report.converged);
     bookContacts();
-    energy.viscous -= report.dampingWork;
-    energy.numerical += report.numerical;
+    accounts.energy.viscous -= report.dampingWork;
+    accounts.energy.numerical += report.numerical;
     tellFrictionApart();
-    const Contacts::Report settled = implicit->settle(*contacts, timeStep);
+    const Contacts::Report settled = implicit->settle(*contacts, steps.length);
     contactReport.energy = settled.energy;
     bookLoadsAfter();
-    energy.plastic += settled.plastic;
-    energy.fracture += settled.fracture;
+    accounts.energy.plastic += settled.plastic;
+    accounts.energy.fracture += settled.fracture;
     bookPlaced(settled);
-    energy.plastic += report.plastic;
+    accounts.energy.plastic += report.plastic;
     for (auto& run : runs)
         run->connections.acceptFlow();
     loadFixtures();
     for (BodyId b = 0; b < runs.size(); ++b)
-        energy.viscous += brakeShape(b, timeStep);
+        accounts.energy.viscous += brakeShape(b, steps.length);
     endTurns();
-    largestTravel = report.largestSpeed * timeStep;
-    lastStep = lastKick = timeStep;
-    unknownEnergy = 0;
-    time += timeStep;
-    ++step;
+    travel.largest = report.largestSpeed * steps.length;
+    steps.last = travel.lastKick = steps.length;
+    accounts.unknown = 0;
+    steps.time += steps.length;
+    ++steps.count;
 }
 
 } // namespace knead

@@ -87,7 +87,7 @@ Message Simulation::State::whyNotRefilled(BodyId id) const
         return Message("Filling",
                        "\"%1\" came apart after its skin was drawn out far: pieces of such a body are not filled anew.")
             .with(body.name);
-    if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
+    if (gapingVolume(id) > 0.5 * mostGaping * refilling.first[id]->filledVolume)
         return Message("Filling", "\"%1\" has cracks that gape, which another filling would close.").with(body.name);
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
@@ -106,7 +106,7 @@ Message Simulation::State::whyNotRefilled(BodyId id) const
 
 bool Simulation::State::isFirstFilling(BodyId body) const
 {
-    return bodies[body].aggregate == firstFillings[body];
+    return bodies[body].aggregate == refilling.first[body];
 }
 
 /// The same body of other objects, at rest where they are and of its own material alone. @return what there was before
@@ -117,7 +117,7 @@ std::unique_ptr<BodyRun> Simulation::State::replaceRun(BodyId id, std::shared_pt
     plain.regions.clear(); // their objects are those of the first filling
     plain.kind = runs[id]->kind;
     implicit.reset();
-    componentsVersion = ~std::uint64_t{0};
+    cracks.version = ~std::uint64_t{0};
     return std::exchange(runs[id], std::make_unique<BodyRun>(plain));
 }
 
@@ -127,7 +127,7 @@ void Simulation::State::carryObjects(BodyId id, const BodyRun& before, bool wasF
                                      const std::vector<ObjectIndex>& oldOfNew)
 {
     runs[id]->materials = carried(before.materials, oldOfNew);
-    for (auto& fixture : fixtures)
+    for (auto& fixture : grips.fixtures)
         if (fixture && fixture->body == id) {
             if (wasFirst)
                 fixture->whenOpened = fixture->objects;
@@ -145,7 +145,7 @@ void Simulation::State::carryObjects(BodyId id, const BodyRun& before, bool wasF
 
 void Simulation::State::takeContacts(const Contacts::Memory& memory)
 {
-    contacts = std::make_unique<Contacts>(contactBodies(), vicinity, memory);
+    contacts = std::make_unique<Contacts>(contactBodies(), chosen.vicinity, memory);
     contacts->setScheme({}, isImplicit());
 }
 
@@ -229,7 +229,7 @@ Contacts::Report Simulation::State::lookAtContacts()
         before.emplace_back(run->state.force, run->state.damping);
     contacts->updateVicinity(surfaces(), 0, 0);
     Contacts::Report report = contacts->computeForces(
-        surfaces(), {.duration = timeStep, .stickSpeed = isImplicit() ? 1.0 : 0.0, .isTrial = true});
+        surfaces(), {.duration = steps.length, .stickSpeed = isImplicit() ? 1.0 : 0.0, .isTrial = true});
     for (std::size_t b = 0; b < runs.size(); ++b) {
         runs[b]->state.force = std::move(before[b].first);
         runs[b]->state.damping = std::move(before[b].second);
@@ -297,7 +297,7 @@ void Simulation::State::refill(BodyId id, double spacing)
     KnownFittings fittings = run.fittings;
     NewFilling filling = newFilling({*bodies[id].surface, bodies[id].aggregate, displacements, broken, healed}, finest,
                                     fittings, outOfTools(id));
-    const double grown = filling.aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
+    const double grown = filling.aggregate->filledVolume / refilling.first[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
         throw Problem(Message("Filling", "its cracks gape, and would be filled."));
     const CarriedState state(run.connections, run.state, filling);
@@ -313,17 +313,17 @@ void Simulation::State::refill(BodyId id, double spacing)
     holdFixtures();
     updateTimeStep();
     contactReport = lookAtContacts();
-    lastKick = 0;
-    energy.plastic += before - storedEnergy().imbalance;
+    travel.lastKick = 0;
+    accounts.energy.plastic += before - storedEnergy().imbalance;
     rest.disturb();
-    ++refills;
+    ++refilling.count;
 }
 
 /// Bodies whose cells are no good any more.
 void Simulation::State::refillWhereBad()
 {
     const std::uint64_t interval = isImplicit() ? implicitLooksInterval : looksInterval;
-    if (!refilling || step % interval != 0)
+    if (!refilling.isOn || steps.count % interval != 0)
         return;
     for (BodyId id = 0; id < bodies.size(); ++id) {
         BodyRun& run = *runs[id];
@@ -340,7 +340,8 @@ void Simulation::State::refillWhereBad()
         try {
             refill(id, 0);
         } catch (const std::runtime_error& error) {
-            notice = Message("Filling", "\"%1\" could not be filled anew: %2").with(bodies[id].name, messageOf(error));
+            out.notice =
+                Message("Filling", "\"%1\" could not be filled anew: %2").with(bodies[id].name, messageOf(error));
         }
     }
 }
@@ -351,18 +352,18 @@ void Simulation::State::takeFirstFilling(BodyId id)
     if (isFirstFilling(id))
         return;
     const Aggregate& present = *bodies[id].aggregate;
-    const Aggregate& first = *firstFillings[id];
+    const Aggregate& first = *refilling.first[id];
     const VectorArray then = placesOf(firstFillingWhenFilled(present));
     const VectorArray nodes = nodesOf(present);
     const std::vector<ObjectIndex> oldOfNew = nearestPoints(nodes, then, present.lattice.spacing);
     const std::vector<ObjectIndex> newOfOld = nearestPoints(then, nodes, present.lattice.spacing);
-    const std::unique_ptr<BodyRun> before = replaceRun(id, firstFillings[id]);
+    const std::unique_ptr<BodyRun> before = replaceRun(id, refilling.first[id]);
     carryObjects(id, *before, false, oldOfNew);
     runs[id]->connections.updateMaterials();
     Contacts::Memory memory = contacts->memory();
     renumber(memory, id, newOfOld, first, {});
     takeContacts(memory);
-    for (auto& fixture : fixtures)
+    for (auto& fixture : grips.fixtures)
         if (fixture && fixture->body == id && !fixture->whenOpened.empty())
             fixture->objects = std::exchange(fixture->whenOpened, {});
     setMasses();

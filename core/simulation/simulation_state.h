@@ -46,6 +46,68 @@ struct BodyRun {
     bool deforms() const { return kind == BodyKind::deformable; }
 };
 
+/// Objects that are held or moved, and what they feel. All per fixture; removed ones leave a gap.
+struct Grips {
+    std::vector<std::optional<Fixture>> fixtures;
+    std::vector<GripProgress> progress;
+    std::vector<Vec3> forces;  ///< of the material on it in the last step [N]
+    std::vector<Vec3> moments; ///< the same about the center [N m]
+    std::vector<Vec3> centers; ///< of its objects at rest [m]
+};
+
+/// What a scene says once and for all.
+struct SceneChoices {
+    Touching touching = Touching::separate;
+    VicinityMethod vicinity = VicinityMethod::uniformGrid;
+    std::optional<double> timeStep; ///< [s]
+};
+
+/// See Scene::massScalingTimeStep.
+struct MassScaling {
+    std::optional<double> timeStep; ///< [s]
+    double added = 0;               ///< [kg]
+};
+
+/// How fast things move and have moved. Moments do not keep it: then all is unknown until the next step.
+struct Travel {
+    double largest = 0;       ///< of any object in the last step [m]
+    double ofSurfaces = 0;    ///< of any tool [m]
+    double strayed = 0;       ///< of tools in the last implicit step from where candidates were listed for [m]
+    double fastestDriven = 0; ///< of tools and fixtures so far, since the start or going to a moment [m/s]
+    double lastKick = 0; ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
+    double recentCrowding = 0; ///< contacts at a time that an object had since the time step was looked at
+    bool wasOverdrawn = false; ///< energy came from nowhere at the last look
+};
+
+/// Bodies are filled anew where their cells go bad.
+struct Refilling {
+    bool isOn = true;
+    std::vector<std::shared_ptr<const Aggregate>> first; ///< fillings per body: as it was opened
+    std::uint64_t count = 0;                             ///< carried out since the start or going to a moment
+};
+
+/// What breaking leads to.
+struct Cracks {
+    bool areNew = false;                       ///< their sides do not touch yet
+    std::size_t components = 0;                ///< pieces of material
+    std::uint64_t version = ~std::uint64_t{0}; ///< of connections and joints when these were counted
+};
+
+/// What was told to do, and what was done.
+struct CommandLog {
+    std::deque<Command> pending;
+    std::vector<RecordedCommand> recording;
+    std::uint32_t resets = 0; ///< carried out since the last goTo()
+};
+
+/// For those who look at a run; nothing in it depends on them.
+struct Outputs {
+    Message notice;             ///< about the last command, empty when it was carried out
+    double penetration = 0;     ///< see Snapshot
+    bool showsPressing = false; ///< in snapshots
+    StageClock clock;
+};
+
 struct Simulation::State {
     explicit State(Scene scene);
 
@@ -90,7 +152,7 @@ struct Simulation::State {
     void bookLoadsBefore();
     void bookLoadsAfter();
     void chooseIntegrator();
-    void setIntegrator(Integrator chosen);
+    void setIntegrator(Integrator wanted);
     double frameStep() const;
     double longestImplicitStep() const;
     double handStiffness(const Manipulator& manipulator) const;
@@ -105,13 +167,13 @@ struct Simulation::State {
     void endHands(const std::vector<ToolHand>& hands);
     std::size_t limitedTools() const;
     void makeImplicit();
-    std::uint64_t every(std::uint64_t steps) const { return isImplicit() ? 1 : steps; }
-    bool isImplicit() const { return integrator == Integrator::implicitEuler; }
+    std::uint64_t every(std::uint64_t interval) const { return isImplicit() ? 1 : interval; }
+    bool isImplicit() const { return scheme.isImplicit(); }
     void tellFrictionApart();
     void setMasses();
     void setMass(std::size_t body);
     void scaleMasses(BodyRun& run);
-    void requireDamping(const MaterialMap& materials, Integrator chosen) const;
+    void requireDamping(const MaterialMap& materials, Integrator integrator) const;
     void updateTimeStep();
     void placeAtStart();
     void setKind(BodyId body, BodyKind kind);
@@ -169,73 +231,34 @@ struct Simulation::State {
     const Pieces& piecesOf(BodyId body);
     double brakeShape(BodyId body, double duration);
 
-    std::vector<Body> bodies;                                    ///< present materials and fillings
-    std::vector<std::shared_ptr<const Aggregate>> firstFillings; ///< per body: as it was opened
-    bool refilling = true;                                       ///< bodies are filled anew where their cells go bad
-    std::uint64_t refills = 0;                                   ///< carried out since the start or going to a moment
-    Vec3 gravity = Vec3::Zero();
-    std::optional<double> floorHeight;
-    double floorFriction = 0;
-    double floorAdhesion = 0;
-    Touching touching = Touching::separate;
-    Integrator wantedIntegrator = Integrator::semiImplicitEuler;
-    Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
-    Message integratorReason;
-    std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
-    int solverIterations = 0;                ///< of the last implicit step
-    Pace pace = Pace::full;
-    VicinityMethod vicinity = VicinityMethod::uniformGrid;
-    std::optional<double> wantedTimeStep;
-    std::optional<double> massScalingTimeStep;
+    // What there is, and what acts on it.
+    std::vector<Body> bodies;                   ///< present materials and fillings
     std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
-    std::vector<std::optional<Fixture>> fixtures;
-    std::vector<Vec3> fixtureForces;  ///< per fixture: of the material on it in the last step [N]
-    std::vector<Vec3> fixtureMoments; ///< the same about the center of its objects at rest [N m]
-    std::vector<Vec3> fixtureCenters; ///< per fixture: of its objects at rest, about which that moment is [m]
-    std::vector<GripProgress> gripProgress;
+    Grips grips;
     ActingLoads loads;
     std::vector<Annealing> annealings;
+    Surroundings around;
     std::unique_ptr<Contacts> contacts;
-    Contacts::Report contactReport;
+    Contacts::Report contactReport; ///< of the last step
 
-    std::deque<Command> pending;
-    std::vector<RecordedCommand> recording;
-    std::uint32_t resets = 0; ///< carried out since the last goTo()
-    std::uint64_t step = 0;
-    double time = 0;
-    double timeStep = 0;
-    double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
-    double lastKick = 0;   ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
-    double stableStep = 0; ///< largest stable one at the last look [s]
-    double crowding = 1;   ///< contacts at a time that the time step allows an object
-    double recentCrowding = 0;       ///< contacts at a time that an object had since the time step was looked at
-    double fastestDriven = 0;        ///< of tools and fixtures so far, since the start or going to a moment [m/s]
-    std::uint64_t unsolvedSteps = 0; ///< implicit ones so far
-    std::uint32_t unsolvedInRow = 0; ///< the last ones
-    double penetration = 0;          ///< see Snapshot
-    bool isPlacedInside = false;     ///< a tool or the floor was put into material, and that is not booked yet
-    double placedEnergy = 0;         ///< stored in contacts by that so far [J]
-    double largestTravel = 0;        ///< of any object in the last step [m]
-    double surfaceTravel = 0;
-    double strayed = 0;     ///< of tools in the last implicit step from where candidates were listed for [m]
-    double addedMass = 0;   ///< by mass scaling [kg]
-    double startEnergy = 0; ///< stored at the start [J]
-    /// What of the stored energy is not known right after going to a moment, since the forces of the last step are gone [J]:
-    /// the ledger counts it until the next step.
-    double unknownEnergy = 0;
-    EnergyLedger energy; ///< what came in and went out is kept up to date
-    bool newlyBroken = false;
-    bool wasSquashed = false;  ///< at the last look
-    bool wasOverdrawn = false; ///< energy came from nowhere at the last look; begins anew from a moment
-    std::size_t knownComponents = 0;
-    std::uint64_t componentsVersion = ~std::uint64_t{0};
-    Health health;
+    // How it goes on.
+    SceneChoices chosen;
+    Scheme scheme;
+    std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
+    StepTimes steps;
+    Travel travel;
+    MassScaling massScaling;
+    Refilling refilling;
+    Cracks cracks;
     RestWatch rest;
-    StageClock clock;
-    bool showsPressing = false; ///< in snapshots
-    Message notice;             ///< about the last command, empty when it was carried out
-    MomentPointer lastGood;     ///< to go back to in trouble; never null
+
+    // What is made of it.
+    Accounts accounts;
+    RunWatch watch;
+    CommandLog commands;
+    Outputs out;
+    MomentPointer lastGood; ///< to go back to in trouble; never null
 };
 
 /// Why a body cannot be simulated; empty when it can.

@@ -83,7 +83,7 @@ double soundSpeedOf(const BodyRun& run)
 /// What a body's material makes of what is stored in it [m/s].
 double Simulation::State::releasedSpeed(const BodyRun& run) const
 {
-    if (placedEnergy > 0) // contacts may have stored anything
+    if (accounts.placed > 0) // contacts may have stored anything
         return mostSoundSpeeds * soundSpeedOf(run);
     return run.materials.largest([](const Material& material) {
         if (material.isRubberlike()) // comes back from wherever it does not break
@@ -97,14 +97,14 @@ double Simulation::State::fastestSensible(BodyId body) const
 {
     const BodyRun& run = *runs[body];
     const double released = releasedSpeed(run);
-    const double driven = std::max(fastestDriven, rigidSpeed(run.state));
+    const double driven = std::max(travel.fastestDriven, rigidSpeed(run.state));
     return plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(run), drivenFactor * driven + released);
 }
 
 /// Empty when no object is too fast.
 Message Simulation::State::runawayCause() const
 {
-    const double speed = largestTravel / lastStep;
+    const double speed = travel.largest / steps.last;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& run : runs) // a bound that needs no look at the objects
         least = std::min(least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run)));
@@ -130,30 +130,30 @@ Message Simulation::State::runawayCause() const
 Message Simulation::State::energyCause()
 {
     const EnergyLedger now = storedEnergy();
-    energy.turnover = now.turnover;
+    accounts.energy.turnover = now.turnover;
     double negligible = roundingShare * std::abs(now.gravity);
     for (BodyId b = 0; b < runs.size(); ++b)
         if (runs[b]->deforms())
             negligible += 0.5 * negligibleStrain * negligibleStrain * bodies[b].aggregate->filledVolume *
                           runs[b]->materials.largest([](const Material& material) { return material.youngsModulus; });
-    const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * energy.turnover;
-    if (!std::exchange(wasOverdrawn, isOverdrawn) || !isOverdrawn)
+    const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * accounts.energy.turnover;
+    if (!std::exchange(travel.wasOverdrawn, isOverdrawn) || !isOverdrawn)
         return {};
     return Message("Run",
                    "%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise "
                    "the damping ratio, then reset.")
-        .with(rounded(now.created()), rounded(energy.turnover), remedy());
+        .with(rounded(now.created()), rounded(accounts.energy.turnover), remedy());
 }
 
 /// Empty as long as most steps could be solved.
 Message Simulation::State::unsolvedCause() const
 {
-    if (unsolvedInRow < mostUnsolvedSteps)
+    if (watch.unsolvedInRow < mostUnsolvedSteps)
         return {};
     return Message("Run",
                    "the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or "
                    "raise the damping ratio, then reset.")
-        .with(unsolvedInRow, rounded(lastStep), remedy());
+        .with(watch.unsolvedInRow, rounded(steps.last), remedy());
 }
 
 /// What is most likely wrong, as something to do.
@@ -168,13 +168,13 @@ Message Simulation::State::remedy() const
     for (const auto& run : runs)
         for (const double each : run->state.mass)
             mass += each;
-    if (addedMass > heavyShare * mass)
+    if (massScaling.added > heavyShare * mass)
         return Message("Run", "Choose a shorter time step for mass scaling, which added %1 % to the mass")
-            .with(rounded(100 * addedMass / (mass - addedMass)));
+            .with(rounded(100 * massScaling.added / (mass - massScaling.added)));
     const bool hasTools = std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
-    return hasTools                  ? Message("Run", "Make the tools slower")
-           : gravity != Vec3::Zero() ? Message("Run", "Lower gravity")
-                                     : Message("Run", "Move bodies and fixtures slower");
+    return hasTools                         ? Message("Run", "Make the tools slower")
+           : around.gravity != Vec3::Zero() ? Message("Run", "Lower gravity")
+                                            : Message("Run", "Move bodies and fixtures slower");
 }
 
 /// Of a surface in a body [m].
@@ -218,11 +218,11 @@ double Simulation::State::deepestOverlap() const
 /// Tools that were just put somewhere, and the floor.
 void Simulation::State::noteToolsInside()
 {
-    isPlacedInside = isPlacedInside || deepestOverlap() > 0;
+    watch.isPlacedInside = watch.isPlacedInside || deepestOverlap() > 0;
     const Overlap overlap = deepestTool();
     if (overlap.depth == 0 || overlap.depth <= insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return;
-    notice =
+    out.notice =
         Message("Run", "The tool \"%1\" begins %2 mm inside %3, which is pushed away with great force, in very short "
                        "steps. Let it begin outside.")
             .with(tools[overlap.tool]->manipulator.name, rounded(1e3 * overlap.depth), nameOf(bodies[overlap.body]));
@@ -231,15 +231,15 @@ void Simulation::State::noteToolsInside()
 /// Tools that were put into material begin without force, and push it out from here on.
 void Simulation::State::bookToolsInside()
 {
-    if (std::exchange(isPlacedInside, false))
+    if (std::exchange(watch.isPlacedInside, false))
         contacts->keepInside(surfaces());
 }
 
 /// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
 void Simulation::State::bookPlaced(const Contacts::Report& report)
 {
-    startEnergy += report.placed;
-    placedEnergy += report.placed;
+    accounts.atStart += report.placed;
+    accounts.placed += report.placed;
 }
 
 } // namespace knead

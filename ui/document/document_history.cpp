@@ -24,8 +24,8 @@ HistoryRecord bareRecord(const Gesture& gesture, const QString& name)
 {
     return {.name = name.toStdString(),
             .commands = gesture.commands,
-            .step = gesture.moment->step,
-            .time = gesture.moment->time,
+            .step = gesture.moment->steps.count,
+            .time = gesture.moment->steps.time,
             .hash = gesture.hash};
 }
 
