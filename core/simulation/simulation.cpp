@@ -3,7 +3,7 @@
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
 #include "core/integration/shape_damping.h"
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
 
@@ -16,21 +16,7 @@ namespace knead {
 
 namespace {
 
-// Shape damping is slow by nature; applying it this seldom makes its cost disappear [steps].
-constexpr std::uint64_t shapeDampingInterval = 16;
-// Plastic flow and fracture go with the time of the material, which is slower than that of the step [steps].
-constexpr std::uint64_t flowInterval = 4;
-constexpr std::uint64_t breakingInterval = 4;
-// Annealing and recovery are slower still [steps].
-constexpr std::uint64_t annealingInterval = 16;
-// Ends of broken connections may touch things from here on [steps].
-constexpr std::uint64_t touchingInterval = 16;
-// Where something stiffens, nothing goes further than this in an explicit step [spacings], unless steps would be shorter than this
-// share of the stable one.
-constexpr double farthestInStep = 0.05;
-constexpr double shortestShare = 1.0 / 32;
-// A tool that goes further than this in an explicit step, short as it is, has jumped, as key frames may have it [spacings].
-constexpr double jump = 0.5;
+constexpr const ExplicitSettings& explicitSteps = solverSettings.explicitSteps;
 
 } // namespace
 
@@ -86,7 +72,8 @@ void Simulation::State::moveManipulators()
         manipulator.pose.position = next.position;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
         travel.ofSurfaces = std::max(travel.ofSurfaces, speed * steps.length);
-        if (!isImplicit() && speed * steps.length > jump * spacing) { // it was put there, and hits nothing
+        const bool hasJumped = !isImplicit() && speed * steps.length > explicitSteps.jump * spacing;
+        if (hasJumped) { // it was put there, and hits nothing
             tool->velocity = tool->angularVelocity = Vec3::Zero();
             watch.isPlacedInside = true;
         }
@@ -131,11 +118,11 @@ std::size_t Simulation::State::breakConnections()
 
 void Simulation::State::changeConnections()
 {
-    if (steps.count % every(breakingInterval) == 0)
+    if (steps.count % every(explicitSteps.breakingInterval) == 0)
         breakConnections();
-    if (steps.count % every(annealingInterval) == 0)
+    if (steps.count % every(explicitSteps.annealingInterval) == 0)
         anneal();
-    if (cracks.areNew && steps.count % every(touchingInterval) == 0) {
+    if (cracks.areNew && steps.count % every(explicitSteps.touchingInterval) == 0) {
         touchWhereBroken();
         cracks.areNew = false;
     }
@@ -143,7 +130,7 @@ void Simulation::State::changeConnections()
 
 void Simulation::State::anneal()
 {
-    const double dt = steps.length * static_cast<double>(every(annealingInterval));
+    const double dt = steps.length * static_cast<double>(every(explicitSteps.annealingInterval));
     for (auto& run : runs)
         if (run->deforms() && run->connections.yields() &&
             run->materials.largest([](const Material& material) { return material.healingTime; }) > 0)
@@ -164,12 +151,14 @@ void Simulation::State::anneal()
 double Simulation::State::workOfFlow(const StructuralConnections& connections)
 {
     const double stored = connections.flowedEnergy();
-    return stored - 0.5 * (stored - connections.flowWork()) / static_cast<double>(flowInterval);
+    return stored - 0.5 * (stored - connections.flowWork()) / static_cast<double>(explicitSteps.flowInterval);
 }
 
 void Simulation::State::computeForces()
 {
-    const double flowTime = steps.count % flowInterval == 0 ? static_cast<double>(flowInterval) * steps.length : 0;
+    const double flowTime = steps.count % explicitSteps.flowInterval == 0
+                                ? static_cast<double>(explicitSteps.flowInterval) * steps.length
+                                : 0;
     for (auto& run : runs) {
         if (run->deforms()) {
             run->connections.computeForces(run->state, steps.length, flowTime);
@@ -280,15 +269,15 @@ void Simulation::State::limitTravel(double speed)
     }
     if (chosen.timeStep || !std::isfinite(speed) || speed <= 0)
         return;
-    const double longest = timeStepShare * steps.stable;
-    steps.length =
-        std::min(steps.length, std::max(farthestInStep * smallestSpacing(bodies) / speed, shortestShare * longest));
+    const double longest = explicitSteps.timeStepShare * steps.stable;
+    steps.length = std::min(steps.length, std::max(explicitSteps.farthestInStep * smallestSpacing(bodies) / speed,
+                                                   explicitSteps.shortestShare * longest));
 }
 
 void Simulation::State::chooseNextStep(double speed)
 {
     if (!chosen.timeStep)
-        steps.length = timeStepShare * steps.stable;
+        steps.length = explicitSteps.timeStepShare * steps.stable;
     const bool touches = around.floorHeight || contactReport.count > 0;
     const bool stiffens = std::any_of(runs.begin(), runs.end(), [](const auto& run) {
         return run->deforms() && run->connections.stiffensWhenSquashed();
@@ -316,8 +305,8 @@ void Simulation::State::integrate()
             report = scheme.inUse == Integrator::forwardEuler
                          ? forwardEuler(run->state, around.gravity, steps.length)
                          : semiImplicitEuler(run->state, around.gravity, steps.length);
-            if (steps.count % shapeDampingInterval == 0)
-                accounts.energy.viscous += brakeShape(b, steps.length * shapeDampingInterval);
+            if (steps.count % explicitSteps.shapeDampingInterval == 0)
+                accounts.energy.viscous += brakeShape(b, steps.length * explicitSteps.shapeDampingInterval);
         }
         const bool isNumber = std::isfinite(report.largestSpeed);
         largestSpeed = isNumber ? std::max(largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 // What goes wrong is found, named and undone.
 #include "core/geometry/disjoint_sets.h"
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 
@@ -16,10 +16,6 @@ namespace {
 // go on from the copy, which would cost ten more.
 constexpr std::uint64_t checkpointInterval = 256;
 constexpr std::uint64_t implicitCheckpointInterval = 8; // the same in frames
-// The stable step depends on the shape, so it is found again this often [steps].
-constexpr std::uint64_t timeStepInterval = 256;
-// With more contacts on an object at a time than the time step allows for, the step is found again with some to spare.
-constexpr double crowdingReserve = 1.5;
 // A chosen time step may be this much above the largest stable one: that is bounded from above, not known.
 constexpr double stableStepTolerance = 1.25;
 
@@ -87,11 +83,12 @@ void Simulation::State::findTimeStep()
 {
     travel.recentCrowding = std::max(travel.recentCrowding, contactReport.crowding);
     const bool isCrowded = contactReport.crowding > steps.crowding;
-    const bool isDue = steps.count % timeStepInterval == 0;
+    const bool isDue = steps.count % solverSettings.explicitSteps.timeStepInterval == 0;
     if (isCrowded)
-        steps.crowding = crowdingReserve * contactReport.crowding;
+        steps.crowding = solverSettings.explicitSteps.crowdingReserve * contactReport.crowding;
     else if (isDue)
-        steps.crowding = std::min(steps.crowding, std::max(1.0, crowdingReserve * travel.recentCrowding));
+        steps.crowding = std::min(steps.crowding,
+                                  std::max(1.0, solverSettings.explicitSteps.crowdingReserve * travel.recentCrowding));
     if (isDue)
         travel.recentCrowding = 0;
     if (isCrowded || isDue)

@@ -1,5 +1,5 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
@@ -15,23 +15,7 @@ namespace {
 
 // In which tools are looked ahead [s].
 constexpr double frame = 1.0 / 60;
-// Steps are halved so often at most, which is a quarter of a millisecond.
-constexpr int mostHalvings = 6;
-// In a step nothing may go further than this [spacings], so that what is met within it is still on the right side.
-constexpr double travelShare = 0.5;
-// A step that moved something further than this is taken again at half the length [spacings].
-constexpr double farthestShare = 1.25;
-// Before a step is made longer again, speeds must be so much below what it allows: the factor of the system would be found anew
-// with every change.
-constexpr double calmShare = 0.9;
-// A hand that begins to push as hard as it may within a step is ahead of its tool by so much [spacings].
-constexpr double handGive = 0.02;
-// So near to its force limit a tool is taken to be held up.
-constexpr double stalledShare = 0.05;
-
-// A crack runs on within a step so many times at most. Each time a system is solved for what is left; what it does not come to runs
-// on in the next step.
-constexpr int mostBreakingRounds = 24;
+constexpr const ImplicitStepSettings& implicitSteps = solverSettings.implicitSteps;
 
 // What a present-day core does of explicit steps times connections in a second. A constant and not a measurement,
 // so that the same scene is carried out by the same scheme on any machine and with any load.
@@ -95,7 +79,7 @@ void Simulation::State::chooseIntegrator()
         needed += static_cast<double>(run->connections.count()) *
                   ((run->connections.hasBulk() ? volumetricCost : 1) + plastic);
     }
-    const double explicitStep = chosen.timeStep.value_or(timeStepShare * steps.stable);
+    const double explicitStep = chosen.timeStep.value_or(solverSettings.explicitSteps.timeStepShare * steps.stable);
     const double stepsPerSecond = 1 / explicitStep;
     needed *= stepsPerSecond;
     const bool keepsUp = needed <= connectionStepsPerSecond;
@@ -131,7 +115,7 @@ void Simulation::State::setIntegrator(Integrator wanted)
 /// [N/m]; infinite without a force limit
 double Simulation::State::handStiffness(const Manipulator& manipulator) const
 {
-    return manipulator.forceLimit / (handGive * smallestSpacing(bodies));
+    return manipulator.forceLimit / (implicitSteps.handGive * smallestSpacing(bodies));
 }
 
 /// Where the hand of a tool wants it after a time from now.
@@ -143,7 +127,8 @@ Pose Simulation::State::wantedPose(const ToolRun& tool, double duration) const
 /// Whether the material holds the tool up on a way.
 bool Simulation::State::isStalled(const ToolRun& tool, const Vec3& way)
 {
-    return way.dot(tool.force) <= 0 && tool.force.norm() > (1 - stalledShare) * tool.manipulator.forceLimit;
+    return way.dot(tool.force) <= 0 &&
+           tool.force.norm() > (1 - implicitSteps.stalledShare) * tool.manipulator.forceLimit;
 }
 
 /// Around all objects, with a spacing around them.
@@ -266,12 +251,13 @@ double Simulation::State::longestImplicitStep() const
     }
     const double longest = frameStep();
     double h = longest;
-    for (int halving = 0; halving < mostHalvings && fastest * h > travelShare * spacing; ++halving)
+    for (int halving = 0; halving < implicitSteps.mostHalvings && fastest * h > implicitSteps.travelShare * spacing;
+         ++halving)
         h /= 2;
     const bool isLonger = steps.last > 0 && h > steps.last;
     if (isLonger) {
         h = std::min(2 * steps.last, longest);
-        if (fastest * h > calmShare * travelShare * spacing)
+        if (fastest * h > implicitSteps.calmShare * implicitSteps.travelShare * spacing)
             h = steps.last;
     }
     return h;
@@ -342,9 +328,10 @@ void Simulation::State::stepImplicitly()
         for (std::size_t s = 0; s < likely.size(); ++s)
             travel.strayed =
                 std::max(travel.strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
-        const bool wentTooFar = !report.converged || report.largestSpeed * steps.length > farthestShare * spacing ||
-                                travel.strayed > travelShare * spacing;
-        if (!wentTooFar || halvings == mostHalvings)
+        const bool wentTooFar = !report.converged ||
+                                report.largestSpeed * steps.length > implicitSteps.farthestShare * spacing ||
+                                travel.strayed > implicitSteps.travelShare * spacing;
+        if (!wentTooFar || halvings == implicitSteps.mostHalvings)
             break;
         steps.length /= 2;
         for (std::size_t t = 0; t < tools.size(); ++t)
@@ -354,7 +341,7 @@ void Simulation::State::stepImplicitly()
     }
     endHands(hands);
     contactReport = report.contacts;
-    for (int round = 0; round < mostBreakingRounds && report.converged; ++round) {
+    for (int round = 0; round < implicitSteps.mostBreakingRounds && report.converged; ++round) {
         const double fractured = accounts.energy.fracture;
         if (breakConnections() == 0)
             break;

@@ -1,4 +1,5 @@
 // How a simulation begins: masses, fixtures, the time step, the state at the start.
+#include "core/integration/solver_settings.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/scene_limits.h"
 #include "core/simulation/simulation_state.h"
@@ -162,7 +163,8 @@ void Simulation::State::setMass(std::size_t body)
 /// Objects whose own bound on the frequency is above the one that the wanted step allows get more inertia, but no weight.
 void Simulation::State::scaleMasses(BodyRun& run)
 {
-    const double frequency = frequencyForTimeStep(*massScaling.timeStep / timeStepShare, run.connections.dampingTime());
+    const double frequency = frequencyForTimeStep(*massScaling.timeStep / solverSettings.explicitSteps.timeStepShare,
+                                                  run.connections.dampingTime());
     std::vector<double> added(run.state.size());
     for (ObjectIndex i = 0; i < added.size(); ++i)
         added[i] = run.connections.contactStiffness(i);
@@ -234,10 +236,10 @@ void Simulation::State::updateTimeStep()
                                                   : stableTimeStep(frequency, connections.dampingTime()));
     }
     if (largest == 0)
-        steps.stable = rigidTimeStep / timeStepShare;
+        steps.stable = rigidTimeStep / solverSettings.explicitSteps.timeStepShare;
     contacts->updateParameters(largest > 0 ? largest : 1 / rigidTimeStep);
     if (!isImplicit())
-        steps.length = chosen.timeStep.value_or(timeStepShare * steps.stable);
+        steps.length = chosen.timeStep.value_or(solverSettings.explicitSteps.timeStepShare * steps.stable);
 }
 
 std::vector<Contacts::BodyView> Simulation::State::contactBodies()

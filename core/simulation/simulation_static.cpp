@@ -1,4 +1,5 @@
 // Load steps without inertia.
+#include "core/integration/solver_settings.h"
 #include "core/integration/static_equilibrium.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
@@ -13,15 +14,6 @@ namespace knead {
 namespace {
 
 constexpr double longestLoadStep = 3600; // [s]
-// A load step is gone in so many halvings of itself at most.
-constexpr int mostParts = 6;
-
-// A body that went further than this, in diagonals, is held by nothing in some direction.
-constexpr double lostShare = 10;
-
-// Where there is something to meet, no object goes further than this at a time [spacings], or it would pass by.
-constexpr double shareOfSpacing = 0.5;
-
 Message subjectOf(const Body& body)
 {
     return body.name.empty() ? Message("Balance", "The body") : Message::verbatim("\"" + body.name + "\"");
@@ -82,7 +74,7 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
     acting.moved = [&](double way) { contacts->updateVicinity(moved, way, 0); };
     acting.moved(gripTravel);
     if (!moved.empty() || bodies.size() > 1)
-        acting.farthestStep = shareOfSpacing * smallestSpacing(bodies);
+        acting.farthestStep = solverSettings.balance.farthestStep * smallestSpacing(bodies);
     if (!loads.empty())
         acting.add = [&] { return addLoads(steps.time + duration); };
     const StaticEquilibrium::Report found = equilibrium.solve(acting, start, {.control = &control});
@@ -92,7 +84,7 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
     if (found.isFree)
         report.message = Message(
             "Balance", "A body is free to move: hold it, or let time run (dynamic) until it rests on something.");
-    if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
+    if (!found.converged || found.farthest > solverSettings.balance.lostShare * diagonalOf(bodies))
         return false;
     watch.isPlacedInside = false; // all that was put into material has been pushed out
     for (auto& run : runs) {
@@ -151,7 +143,7 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
             continue;
         }
         restore(here);
-        if (!report.message.empty() || ++halvings > mostParts)
+        if (!report.message.empty() || ++halvings > solverSettings.balance.mostParts)
             break;
         part /= 2;
     }
