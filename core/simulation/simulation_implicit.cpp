@@ -66,6 +66,49 @@ Message reasonOf(Integrator integrator, bool isChosen, double stepsPerSecond, bo
         .with(name, steps);
 }
 
+/// Whether the material holds the tool up on a way.
+bool isStalled(const ToolRun& tool, const Vec3& way)
+{
+    return way.dot(tool.force) <= 0 &&
+           tool.force.norm() > (1 - implicitSteps.stalledShare) * tool.manipulator.forceLimit;
+}
+
+/// Around all objects, with a spacing around them.
+Box materialBox(const std::vector<std::unique_ptr<BodyRun>>& runs)
+{
+    Box box;
+    double margin = 0;
+    for (const auto& run : runs) {
+        const VectorArray& places = run->state.position;
+        for (std::size_t object = 0; object < places.size(); ++object)
+            box.extend(places.at(object));
+        margin = std::max(margin, run->connections.aggregate().lattice.spacing);
+    }
+    return box.isEmpty() ? box : Box(box.min().array() - margin, box.max().array() + margin);
+}
+
+/// How many tools have force limits.
+std::size_t limitedTools(const std::vector<std::optional<ToolRun>>& tools)
+{
+    return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), [](const auto& tool) {
+        return tool && std::isfinite(tool->manipulator.forceLimit);
+    }));
+}
+
+/// Where a tool is, and how it moved in the last step.
+struct ToolPlace {
+    Pose pose;
+    Vec3 velocity = Vec3::Zero();
+};
+
+std::vector<ToolPlace> placesOf(const std::vector<std::optional<ToolRun>>& tools)
+{
+    std::vector<ToolPlace> places;
+    for (const auto& tool : tools)
+        places.push_back(tool ? ToolPlace{tool->manipulator.pose, tool->velocity} : ToolPlace{});
+    return places;
+}
+
 } // namespace
 
 /// What an explicit scheme would need of connections times steps per second of simulated time decides.
@@ -124,33 +167,12 @@ Pose Simulation::State::wantedPose(const ToolRun& tool, double duration) const
     return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, steps.time, duration), duration);
 }
 
-/// Whether the material holds the tool up on a way.
-bool Simulation::State::isStalled(const ToolRun& tool, const Vec3& way)
-{
-    return way.dot(tool.force) <= 0 &&
-           tool.force.norm() > (1 - implicitSteps.stalledShare) * tool.manipulator.forceLimit;
-}
-
-/// Around all objects, with a spacing around them.
-Box Simulation::State::materialBox() const
-{
-    Box box;
-    double margin = 0;
-    for (BodyId b = 0; b < runs.size(); ++b) {
-        const VectorArray& places = runs[b]->state.position;
-        for (std::size_t object = 0; object < places.size(); ++object)
-            box.extend(places.at(object));
-        margin = std::max(margin, bodies[b].aggregate->lattice.spacing);
-    }
-    return box.isEmpty() ? box : Box(box.min().array() - margin, box.max().array() + margin);
-}
-
 /// Speed at which tools are likely to move in the next frame: one that is held up as in the last [m/s]. Those that pass by far from
 /// all material may go as fast as they like.
 double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
-    const Box material = materialBox();
+    const Box material = materialBox(runs);
     const double ahead = std::max(frame, frameStep());
     for (const auto& tool : tools) {
         if (!tool)
@@ -168,20 +190,6 @@ double Simulation::State::fastestSurface() const
         fastest = std::max(fastest, speed + turn * 0.5 * manipulator.size.norm() / ahead);
     }
     return fastest;
-}
-
-/// Where a tool is, and how it moved in the last step.
-struct Simulation::State::ToolPlace {
-    Pose pose;
-    Vec3 velocity = Vec3::Zero();
-};
-
-std::vector<Simulation::State::ToolPlace> Simulation::State::toolPlaces() const
-{
-    std::vector<ToolPlace> places;
-    for (const auto& tool : tools)
-        places.push_back(tool ? ToolPlace{tool->manipulator.pose, tool->velocity} : ToolPlace{});
-    return places;
 }
 
 /// Tools go to where they are likely to be at the end of the step. @return the hands of those with force limits
@@ -263,14 +271,6 @@ double Simulation::State::longestImplicitStep() const
     return h;
 }
 
-/// How many tools have force limits.
-std::size_t Simulation::State::limitedTools() const
-{
-    return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), [](const auto& tool) {
-        return tool && std::isfinite(tool->manipulator.forceLimit);
-    }));
-}
-
 void Simulation::State::makeImplicit()
 {
     std::vector<ImplicitEuler::BodyView> views;
@@ -282,7 +282,7 @@ void Simulation::State::makeImplicit()
                          .deforms = run.deforms(),
                          .pieces = &piecesOf(b)});
     }
-    implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools());
+    implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools(tools));
     if (!loads.empty())
         implicit->setLoads([this] { return addLoads(steps.time + steps.length); });
 }
@@ -304,14 +304,14 @@ void Simulation::State::countSolved(bool isSolved)
 
 void Simulation::State::stepImplicitly()
 {
-    if (!implicit || implicit->mostHands() < limitedTools())
+    if (!implicit || implicit->mostHands() < limitedTools(tools))
         makeImplicit();
     const bool flows = std::any_of(runs.begin(), runs.end(),
                                    [](const auto& run) { return run->deforms() && run->connections.yields(); });
     implicit->setTolerance(flows ? numbersOf(scheme.pace).whereItFlows : numbersOf(scheme.pace).tolerance);
     for (BodyId b = 0; b < runs.size(); ++b)
         piecesOf(b); // which `implicit` looks at
-    const std::vector<ToolPlace> before = toolPlaces();
+    const std::vector<ToolPlace> before = placesOf(tools);
     const double spacing = smallestSpacing(bodies);
     steps.length = longestImplicitStep();
     ImplicitEuler::Report report;

@@ -59,6 +59,53 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
+/// Of the objects of a body since it was filled [m].
+std::vector<Vec3> displacementsOf(const BodyRun& run)
+{
+    std::vector<Vec3> displacements(run.state.size());
+    for (ObjectIndex i = 0; i < displacements.size(); ++i)
+        displacements[i] = run.state.position.at(i) - run.connections.aggregate().lattice.position(i);
+    return displacements;
+}
+
+/// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
+std::vector<GrownTogether> grownTogether(BodyId id, const BodyRun& run, const Joints& joints)
+{
+    std::vector<GrownTogether> healed;
+    for (const Joint& joint : joints.all())
+        if (joint.healed && joint.first.body == id && joint.second.body == id)
+            healed.emplace_back(joint.first.object, joint.second.object);
+    return regrown(run.connections.aggregate(), displacementsOf(run), run.connections.changes().broken, healed);
+}
+
+/// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
+/// five connections.
+double gapingVolume(BodyId id, const BodyRun& run, const Joints& joints)
+{
+    const Lattice& lattice = run.connections.aggregate().lattice;
+    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
+    if (broken.empty())
+        return 0;
+    const Pieces pieces = findPieces(run.connections.aggregate(), broken);
+    DisjointSets one(pieces.count);
+    std::vector<std::uint8_t> isHealed(run.state.size(), 0);
+    for (const auto& [first, second] : grownTogether(id, run, joints)) {
+        isHealed[first] = isHealed[second] = 1;
+        one.join(pieces.ofObject[first], pieces.ofObject[second]);
+    }
+    double volume = 0;
+    for (const BrokenConnection& each : broken) {
+        const auto [lower, upper] = run.connections.endsOf(each);
+        if (one.find(pieces.ofObject[lower]) != one.find(pieces.ofObject[upper]) || isHealed[lower] != 0 ||
+            isHealed[upper] != 0)
+            continue;
+        const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
+        const double gap = length - lattice.direction(static_cast<int>(each.direction)).norm();
+        volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
+    }
+    return volume;
+}
+
 } // namespace
 
 /// A sentence; empty when it can.
@@ -87,7 +134,7 @@ Message Simulation::State::whyNotRefilled(BodyId id) const
         return Message("Filling",
                        "\"%1\" came apart after its skin was drawn out far: pieces of such a body are not filled anew.")
             .with(body.name);
-    if (gapingVolume(id) > 0.5 * mostGaping * refilling.first[id]->filledVolume)
+    if (gapingVolume(id, run, contacts->joints()) > 0.5 * mostGaping * refilling.first[id]->filledVolume)
         return Message("Filling", "\"%1\" has cracks that gape, which another filling would close.").with(body.name);
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
@@ -237,63 +284,15 @@ Contacts::Report Simulation::State::lookAtContacts()
     return {.energy = report.energy, .count = report.count};
 }
 
-/// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
-/// five connections.
-double Simulation::State::gapingVolume(BodyId id) const
-{
-    const BodyRun& run = *runs[id];
-    const Lattice& lattice = bodies[id].aggregate->lattice;
-    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
-    if (broken.empty())
-        return 0;
-    const Pieces pieces = findPieces(*bodies[id].aggregate, broken);
-    DisjointSets one(pieces.count);
-    std::vector<std::uint8_t> isHealed(run.state.size(), 0);
-    for (const auto& [first, second] : grownTogether(id)) {
-        isHealed[first] = isHealed[second] = 1;
-        one.join(pieces.ofObject[first], pieces.ofObject[second]);
-    }
-    double volume = 0;
-    for (const BrokenConnection& each : broken) {
-        const auto [lower, upper] = run.connections.endsOf(each);
-        if (one.find(pieces.ofObject[lower]) != one.find(pieces.ofObject[upper]) || isHealed[lower] != 0 ||
-            isHealed[upper] != 0)
-            continue;
-        const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
-        const double gap = length - lattice.direction(static_cast<int>(each.direction)).norm();
-        volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
-    }
-    return volume;
-}
-
-/// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
-std::vector<GrownTogether> Simulation::State::grownTogether(BodyId id) const
-{
-    std::vector<GrownTogether> healed;
-    for (const Joint& joint : contacts->joints().all())
-        if (joint.healed && joint.first.body == id && joint.second.body == id)
-            healed.emplace_back(joint.first.object, joint.second.object);
-    return regrown(*bodies[id].aggregate, displacementsOf(id), runs[id]->connections.changes().broken, healed);
-}
-
-/// Of the objects of a body since it was filled [m].
-std::vector<Vec3> Simulation::State::displacementsOf(BodyId id) const
-{
-    std::vector<Vec3> displacements(runs[id]->state.size());
-    for (ObjectIndex i = 0; i < displacements.size(); ++i)
-        displacements[i] = runs[id]->state.position.at(i) - bodies[id].aggregate->lattice.position(i);
-    return displacements;
-}
-
 /// @param spacing [m]; 0: as it is
 void Simulation::State::refill(BodyId id, double spacing)
 {
     BodyRun& run = *runs[id];
     const double before = storedEnergy().imbalance;
-    const std::vector<Vec3> displacements = displacementsOf(id);
+    const std::vector<Vec3> displacements = displacementsOf(run);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
     const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
-    const std::vector<GrownTogether> healed = grownTogether(id);
+    const std::vector<GrownTogether> healed = grownTogether(id, run, contacts->joints());
     KnownFittings fittings = run.fittings;
     NewFilling filling = newFilling({*bodies[id].surface, bodies[id].aggregate, displacements, broken, healed}, finest,
                                     fittings, outOfTools(id));

@@ -121,7 +121,6 @@ struct Simulation::State {
     void cutWithKnives();
     std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
     void changeConnections();
-    static double workOfFlow(const StructuralConnections& connections);
     void computeForces();
     void integrate();
     void limitTravel(double speed);
@@ -157,15 +156,10 @@ struct Simulation::State {
     double longestImplicitStep() const;
     double handStiffness(const Manipulator& manipulator) const;
     Pose wantedPose(const ToolRun& tool, double duration) const;
-    static bool isStalled(const ToolRun& tool, const Vec3& way);
     double fastestSurface() const;
     void turnTool(ToolRun& tool, const Quaternion& next) const;
-    Box materialBox() const;
-    struct ToolPlace;
-    std::vector<ToolPlace> toolPlaces() const;
     std::vector<ToolHand> beginHands();
     void endHands(const std::vector<ToolHand>& hands);
-    std::size_t limitedTools() const;
     void makeImplicit();
     std::uint64_t every(std::uint64_t interval) const { return isImplicit() ? 1 : interval; }
     bool isImplicit() const { return scheme.isImplicit(); }
@@ -190,9 +184,6 @@ struct Simulation::State {
     void takeContacts(const Contacts::Memory& memory);
     std::unique_ptr<BodyRun> takeFilling(BodyId body, const NewFilling& filling,
                                          StructuralConnections::Changes changes);
-    std::vector<GrownTogether> grownTogether(BodyId body) const;
-    std::vector<Vec3> displacementsOf(BodyId body) const;
-    double gapingVolume(BodyId body) const;
     bool isFirstFilling(BodyId body) const;
     std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void takeLoads(BodyId body);
@@ -207,19 +198,10 @@ struct Simulation::State {
     void goTo(MomentPointer moment);
     void stop(const Message& cause, Trouble trouble);
     Message squashedBody();
-    double releasedSpeed(const BodyRun& run) const;
-    double fastestSensible(BodyId body) const;
     Message runawayCause() const;
     Message energyCause();
     Message unsolvedCause() const;
     Message remedy() const;
-    struct Overlap {
-        double depth = 0; ///< [m]; 0: none
-        ToolId tool = 0;
-        BodyId body = 0;
-    };
-    double depthOf(const RigidSurface& surface, BodyId body) const;
-    Overlap deepestTool() const;
     double deepestOverlap() const;
     void noteToolsInside();
     void bookToolsInside();

@@ -78,12 +78,11 @@ double soundSpeedOf(const BodyRun& run)
     return run.materials.largest([](const Material& material) { return material.soundSpeed(); });
 }
 
-} // namespace
-
 /// What a body's material makes of what is stored in it [m/s].
-double Simulation::State::releasedSpeed(const BodyRun& run) const
+/// @param placedEnergy stored by what was put into material [J]
+double releasedSpeed(const BodyRun& run, double placedEnergy)
 {
-    if (accounts.placed > 0) // contacts may have stored anything
+    if (placedEnergy > 0) // contacts may have stored anything
         return mostSoundSpeeds * soundSpeedOf(run);
     return run.materials.largest([](const Material& material) {
         if (material.isRubberlike()) // comes back from wherever it does not break
@@ -93,13 +92,48 @@ double Simulation::State::releasedSpeed(const BodyRun& run) const
 }
 
 /// What moves the body, and what its material can let go of, makes nothing in it faster than this [m/s].
-double Simulation::State::fastestSensible(BodyId body) const
+double fastestSensible(const BodyRun& run, double placedEnergy, double fastestDriven)
 {
-    const BodyRun& run = *runs[body];
-    const double released = releasedSpeed(run);
-    const double driven = std::max(travel.fastestDriven, rigidSpeed(run.state));
+    const double released = releasedSpeed(run, placedEnergy);
+    const double driven = std::max(fastestDriven, rigidSpeed(run.state));
     return plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(run), drivenFactor * driven + released);
 }
+
+/// Of a surface in a body [m].
+double depthOf(const Simulation::State& state, const RigidSurface& surface, BodyId body)
+{
+    return std::max(state.contacts->deepest(body, surface),
+                    overlapOf(surface, state.runs[body]->state.position, *state.bodies[body].aggregate));
+}
+
+/// Of a tool in a body.
+struct Overlap {
+    double depth = 0; ///< [m]; 0: none
+    ToolId tool = 0;
+    BodyId body = 0;
+};
+
+Overlap deepestTool(const Simulation::State& state)
+{
+    const std::vector<RigidSurface> all = state.surfaces();
+    Overlap deepest;
+    std::size_t surface = 0;
+    for (ToolId t = 0; t < state.tools.size(); ++t) {
+        if (!state.tools[t])
+            continue;
+        for (BodyId b = 0; b < state.runs.size(); ++b) {
+            if (state.runs[b]->kind == BodyKind::glue) // it touches no tools
+                continue;
+            const double depth = depthOf(state, all[surface], b);
+            if (depth > deepest.depth)
+                deepest = {.depth = depth, .tool = t, .body = b};
+        }
+        ++surface;
+    }
+    return deepest;
+}
+
+} // namespace
 
 /// Empty when no object is too fast.
 Message Simulation::State::runawayCause() const
@@ -107,14 +141,15 @@ Message Simulation::State::runawayCause() const
     const double speed = travel.largest / steps.last;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& run : runs) // a bound that needs no look at the objects
-        least = std::min(least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run)));
+        least = std::min(
+            least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run, accounts.placed)));
     if (speed <= least)
         return {};
     for (BodyId b = 0; b < runs.size(); ++b) {
         const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : largestSpeed(runs[b]->state);
         if (fastest <= least)
             continue;
-        const double limit = fastestSensible(b);
+        const double limit = fastestSensible(*runs[b], accounts.placed, travel.fastestDriven);
         if (fastest <= limit)
             continue;
         return Message("Run",
@@ -159,7 +194,7 @@ Message Simulation::State::unsolvedCause() const
 /// What is most likely wrong, as something to do.
 Message Simulation::State::remedy() const
 {
-    const Overlap overlap = deepestTool();
+    const Overlap overlap = deepestTool(*this);
     if (overlap.depth > 2 * insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return Message("Run",
                        "The tool \"%1\" is %2 mm deep in %3: let it begin outside and press less far, make it slower")
@@ -177,33 +212,6 @@ Message Simulation::State::remedy() const
                                             : Message("Run", "Move bodies and fixtures slower");
 }
 
-/// Of a surface in a body [m].
-double Simulation::State::depthOf(const RigidSurface& surface, BodyId body) const
-{
-    return std::max(contacts->deepest(body, surface),
-                    overlapOf(surface, runs[body]->state.position, *bodies[body].aggregate));
-}
-
-Simulation::State::Overlap Simulation::State::deepestTool() const
-{
-    const std::vector<RigidSurface> all = surfaces();
-    Overlap deepest;
-    std::size_t surface = 0;
-    for (ToolId t = 0; t < tools.size(); ++t) {
-        if (!tools[t])
-            continue;
-        for (BodyId b = 0; b < runs.size(); ++b) {
-            if (runs[b]->kind == BodyKind::glue) // it touches no tools
-                continue;
-            const double depth = depthOf(all[surface], b);
-            if (depth > deepest.depth)
-                deepest = {.depth = depth, .tool = t, .body = b};
-        }
-        ++surface;
-    }
-    return deepest;
-}
-
 /// Of tools and the floor now [spacings].
 double Simulation::State::deepestOverlap() const
 {
@@ -211,7 +219,7 @@ double Simulation::State::deepestOverlap() const
     for (const RigidSurface& surface : surfaces())
         for (BodyId b = 0; b < runs.size(); ++b)
             if (runs[b]->kind != BodyKind::glue)
-                deepest = std::max(deepest, depthOf(surface, b) / bodies[b].aggregate->lattice.spacing);
+                deepest = std::max(deepest, depthOf(*this, surface, b) / bodies[b].aggregate->lattice.spacing);
     return deepest;
 }
 
@@ -219,7 +227,7 @@ double Simulation::State::deepestOverlap() const
 void Simulation::State::noteToolsInside()
 {
     watch.isPlacedInside = watch.isPlacedInside || deepestOverlap() > 0;
-    const Overlap overlap = deepestTool();
+    const Overlap overlap = deepestTool(*this);
     if (overlap.depth == 0 || overlap.depth <= insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return;
     out.notice =
