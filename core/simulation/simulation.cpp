@@ -314,7 +314,7 @@ void Simulation::State::integrate()
     }
     tellFrictionApart();
     bookLoadsAfter();
-    endTurns();
+    grips.endTurns(steps.length);
     travel.largest = largestSpeed * steps.length;
     travel.lastKick = steps.length + change;
     steps.last = steps.length;

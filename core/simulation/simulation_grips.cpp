@@ -36,24 +36,23 @@ bool Simulation::State::isMovedBy(FixtureId fixture, ObjectIndex object) const
     return runs[grips.fixtures[fixture]->body]->gripOf[object] == fixture;
 }
 
-/// By which the grip turns in this step [rad].
-double Simulation::State::turnInStep(FixtureId fixture) const
+double Grips::turnInStep(FixtureId id, double duration) const
 {
-    const GripTurn& turn = grips.fixtures[fixture]->turn;
-    return std::clamp(turn.angle - grips.progress[fixture].angle, 0.0, turn.angularVelocity.norm() * steps.length);
+    const GripTurn& turn = fixtures[id]->turn;
+    return std::clamp(turn.angle - progress[id].angle, 0.0, turn.angularVelocity.norm() * duration);
 }
 
 /// Objects go along chords whose ends lie on circles: v = V + (R r - r) / h.
 void Simulation::State::turnGrips()
 {
     for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
-        if (!grips.fixtures[id] || !grips.fixtures[id]->turn.turns())
+        if (!grips.turns(id))
             continue;
         const Fixture& fixture = *grips.fixtures[id];
         BodyRun& run = *runs[fixture.body];
         if (!run.deforms())
             continue;
-        const Mat3 turned = rotation(fixture.turn.angularVelocity, turnInStep(id));
+        const Mat3 turned = rotation(fixture.turn.angularVelocity, grips.turnInStep(id, steps.length));
         const Vec3 center = fixture.turn.center + grips.progress[id].way;
         for (const ObjectIndex object : fixture.objects) {
             if (object >= run.state.size() || !isMovedBy(id, object))
@@ -68,13 +67,13 @@ void Simulation::State::turnGrips()
     }
 }
 
-void Simulation::State::endTurns()
+void Grips::endTurns(double duration)
 {
-    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
-        if (!grips.fixtures[id] || !grips.fixtures[id]->turn.turns())
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!turns(id))
             continue;
-        grips.progress[id].angle += turnInStep(id);
-        grips.progress[id].way += steps.length * grips.fixtures[id]->velocity;
+        progress[id].angle += turnInStep(id, duration);
+        progress[id].way += duration * fixtures[id]->velocity;
     }
 }
 
@@ -82,7 +81,7 @@ void Simulation::State::endTurns()
 void Simulation::State::forgetTurns(Moment& moment) const
 {
     for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
-        if (!grips.fixtures[id] || !grips.fixtures[id]->turn.turns())
+        if (!grips.turns(id))
             continue;
         VectorArray& velocity = moment.bodies[grips.fixtures[id]->body].velocity;
         for (const ObjectIndex object : grips.fixtures[id]->objects)
@@ -97,7 +96,7 @@ Vec3 Simulation::State::centripetal(FixtureId fixture, const Vec3& place) const
     const GripTurn& turn = grips.fixtures[fixture]->turn;
     if (!turn.turns() || !runs[grips.fixtures[fixture]->body]->deforms())
         return Vec3::Zero();
-    const double angle = turnInStep(fixture);
+    const double angle = grips.turnInStep(fixture, steps.length);
     if (angle < turn.angularVelocity.norm() * steps.length)
         return Vec3::Zero(); // the last step
     const Mat3 turned = rotation(turn.angularVelocity, angle);
@@ -107,20 +106,20 @@ Vec3 Simulation::State::centripetal(FixtureId fixture, const Vec3& place) const
     return (turned * arm - 2 * arm + turned.transpose() * arm) / (steps.length * steps.length);
 }
 
-void Simulation::State::findFixtureCenters()
+void Grips::findCenters(const std::vector<Body>& bodies)
 {
-    grips.centers.assign(grips.fixtures.size(), Vec3::Zero());
-    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
-        if (!grips.fixtures[id])
+    centers.assign(fixtures.size(), Vec3::Zero());
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id])
             continue;
-        const Lattice& lattice = bodies[grips.fixtures[id]->body].aggregate->lattice;
+        const Lattice& lattice = bodies[fixtures[id]->body].aggregate->lattice;
         std::size_t count = 0;
-        for (const ObjectIndex object : grips.fixtures[id]->objects)
+        for (const ObjectIndex object : fixtures[id]->objects)
             if (object < lattice.size()) {
-                grips.centers[id] += lattice.position(object);
+                centers[id] += lattice.position(object);
                 ++count;
             }
-        grips.centers[id] /= static_cast<double>(std::max<std::size_t>(1, count));
+        centers[id] /= static_cast<double>(std::max<std::size_t>(1, count));
     }
 }
 

@@ -369,7 +369,7 @@ void Simulation::State::stepImplicitly()
     loadFixtures();
     for (BodyId b = 0; b < runs.size(); ++b)
         accounts.energy.viscous += brakeShape(b, steps.length);
-    endTurns();
+    grips.endTurns(steps.length);
     travel.largest = report.largestSpeed * steps.length;
     steps.last = travel.lastKick = steps.length;
     accounts.unknown = 0;

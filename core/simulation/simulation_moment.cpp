@@ -95,7 +95,8 @@ void Simulation::State::restore(const Moment& moment)
     loads.restore(moment.loads, bodies);
     annealings = moment.annealings;
     restoreBodies(moment);
-    restoreContacts(moment);
+    takeContacts(moment.contacts);
+    contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
     implicit.reset();
 }
 
@@ -128,13 +129,6 @@ void Simulation::State::restoreBodies(const Moment& moment)
         }
     }
     holdFixtures();
-}
-
-void Simulation::State::restoreContacts(const Moment& moment)
-{
-    contacts = std::make_unique<Contacts>(contactBodies(), chosen.vicinity, moment.contacts);
-    contacts->setScheme({}, isImplicit());
-    contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
 }
 
 /// Goes on from exactly what going back to the moment would make.

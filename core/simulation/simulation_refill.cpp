@@ -106,6 +106,28 @@ double gapingVolume(BodyId id, const BodyRun& run, const Joints& joints)
     return volume;
 }
 
+/// Tools reach into the surface between points of a skin that was stretched: it goes on as deep in them as it is pressed.
+MovePlaces outOfTools(const Simulation::State& state, BodyId id)
+{
+    struct Pressed {
+        RigidSurface surface;
+        Box reach;
+        double depth; ///< [m]
+    };
+    std::vector<Pressed> pressed;
+    const double spacing = state.bodies[id].aggregate->lattice.spacing;
+    for (const RigidSurface& surface : state.surfaces())
+        if (const double depth = state.contacts->deepest(id, surface); depth > 0)
+            pressed.push_back({surface, surface.reach(spacing), depth});
+    return [pressed](std::span<Vec3> places) {
+        for (Vec3& place : places)
+            for (const Pressed& each : pressed)
+                if (each.reach.contains(place))
+                    if (const SurfacePoint nearest = each.surface.nearest(place); nearest.distance < -each.depth)
+                        place -= (nearest.distance + each.depth) * nearest.normal;
+    };
+}
+
 } // namespace
 
 /// A sentence; empty when it can.
@@ -246,28 +268,6 @@ void Simulation::State::takeLoads(BodyId id)
         loads.restore(acting, bodies);
 }
 
-/// Tools reach into the surface between points of a skin that was stretched: it goes on as deep in them as it is pressed.
-MovePlaces Simulation::State::outOfTools(BodyId id) const
-{
-    struct Pressed {
-        RigidSurface surface;
-        Box reach;
-        double depth; ///< [m]
-    };
-    std::vector<Pressed> pressed;
-    const double spacing = bodies[id].aggregate->lattice.spacing;
-    for (const RigidSurface& surface : surfaces())
-        if (const double depth = contacts->deepest(id, surface); depth > 0)
-            pressed.push_back({surface, surface.reach(spacing), depth});
-    return [pressed](std::span<Vec3> places) {
-        for (Vec3& place : places)
-            for (const Pressed& each : pressed)
-                if (each.reach.contains(place))
-                    if (const SurfacePoint nearest = each.surface.nearest(place); nearest.distance < -each.depth)
-                        place -= (nearest.distance + each.depth) * nearest.normal;
-    };
-}
-
 /// What contacts store where everything is now. Changes nothing.
 Contacts::Report Simulation::State::lookAtContacts()
 {
@@ -295,7 +295,7 @@ void Simulation::State::refill(BodyId id, double spacing)
     const std::vector<GrownTogether> healed = grownTogether(id, run, contacts->joints());
     KnownFittings fittings = run.fittings;
     NewFilling filling = newFilling({*bodies[id].surface, bodies[id].aggregate, displacements, broken, healed}, finest,
-                                    fittings, outOfTools(id));
+                                    fittings, outOfTools(*this, id));
     const double grown = filling.aggregate->filledVolume / refilling.first[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
         throw Problem(Message("Filling", "its cracks gape, and would be filled."));

@@ -188,7 +188,7 @@ void Simulation::State::holdFixtures()
         for (std::size_t i = 0; i < run->state.size(); ++i)
             run->state.inverseMass[i] = run->anchored ? 0 : 1 / run->state.mass[i];
     }
-    findFixtureCenters();
+    grips.findCenters(bodies);
     for (const auto& run : runs)
         run->gripOf.assign(run->state.size(), noFixture);
     for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {

@@ -53,6 +53,11 @@ struct Grips {
     std::vector<Vec3> forces;  ///< of the material on it in the last step [N]
     std::vector<Vec3> moments; ///< the same about the center [N m]
     std::vector<Vec3> centers; ///< of its objects at rest [m]
+
+    bool turns(FixtureId id) const { return fixtures[id] && fixtures[id]->turn.turns(); }
+    double turnInStep(FixtureId id, double duration) const; ///< by which it turns in a step that begins now [rad]
+    void endTurns(double duration);                         ///< a step is over
+    void findCenters(const std::vector<Body>& bodies);
 };
 
 /// What a scene says once and for all.
@@ -141,12 +146,9 @@ struct Simulation::State {
     void bookContacts();
     void loadFixtures();
     void turnGrips();
-    void endTurns();
     void forgetTurns(Moment& moment) const;
     bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
-    double turnInStep(FixtureId fixture) const;
     Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
-    void findFixtureCenters();
     double addLoads(double at);
     void bookLoadsBefore();
     void bookLoadsAfter();
@@ -188,12 +190,10 @@ struct Simulation::State {
     std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void takeLoads(BodyId body);
     Contacts::Report lookAtContacts();
-    MovePlaces outOfTools(BodyId body) const;
     void refill(BodyId body, double spacing);
     void refillWhereBad();
     void takeFirstFilling(BodyId body);
     void restoreBodies(const Moment& moment);
-    void restoreContacts(const Moment& moment);
     void keepMoment();
     void goTo(MomentPointer moment);
     void stop(const Message& cause, Trouble trouble);

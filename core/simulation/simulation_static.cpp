@@ -103,7 +103,7 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
         for (std::size_t i = 0; i < run->state.size(); ++i)
             run->state.velocity.set(i, run->state.velocity.at(i) / slower);
     loadFixtures();
-    endTurns();
+    grips.endTurns(steps.length);
     for (auto& run : runs)
         run->state.velocity.setZero();
     holdFixtures();

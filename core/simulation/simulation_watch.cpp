@@ -113,6 +113,7 @@ struct Overlap {
     BodyId body = 0;
 };
 
+/// The tool that is deepest in material now.
 Overlap deepestTool(const Simulation::State& state)
 {
     const std::vector<RigidSurface> all = state.surfaces();
