@@ -73,7 +73,7 @@ struct MassScaling {
     double added = 0;               ///< [kg]
 };
 
-/// How fast things move and have moved. Moments do not keep it: then all is unknown until the next step.
+/// How fast things move and have moved. Moments do not keep it: it begins anew from there.
 struct Travel {
     double largest = 0;       ///< of any object in the last step [m]
     double ofSurfaces = 0;    ///< of any tool [m]
@@ -116,88 +116,113 @@ struct Outputs {
 struct Simulation::State {
     explicit State(Scene scene);
 
-    // The stages of a step, in order.
-    void applyCommands();
+    // Stages of a step: simulation.cpp.
+    std::vector<RigidSurface> surfaces() const;
+    void turnTool(ToolRun& tool, const Quaternion& next) const;
     void moveManipulators();
     void updateVicinity();
     void touchWhereBroken();
     void bookTornSkin();
     std::size_t breakConnections();
-    void cutWithKnives();
-    std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
     void changeConnections();
+    void anneal();
     void computeForces();
-    void integrate();
+    void bookContacts();
+    void loadFixtures();
+    void tellFrictionApart();
+    double brakeShape(BodyId body, double duration);
     void limitTravel(double speed);
     void chooseNextStep(double speed);
+    void integrate();
+
+    // Steps of the implicit scheme, how long they are, and when they are taken: simulation_implicit.cpp.
+    void chooseIntegrator();
+    void setIntegrator(Integrator wanted);
+    double handStiffness(const Manipulator& manipulator) const;
+    Pose wantedPose(const ToolRun& tool, double duration) const;
+    double fastestSurface() const;
+    std::vector<ToolHand> beginHands();
+    void endHands(const std::vector<ToolHand>& hands);
+    double frameStep() const;
+    double longestImplicitStep() const;
+    void makeImplicit();
+    void countSolved(bool isSolved);
     void stepImplicitly();
+
+    // Load steps without inertia: simulation_static.cpp.
+    bool balance(double duration, TaskControl& control, StaticReport& report);
+    StaticReport findBalance(double duration, TaskControl& control);
+    StaticReport settle(double duration, TaskControl& control);
+
+    // Steps in which nothing moves: simulation_rest.cpp.
     std::vector<Pose> wantedPoses() const;
     bool isDriven() const;
     void watchRest();
     bool stepAtRest();
-    StaticReport findBalance(double duration, TaskControl& control);
-    bool balance(double duration, TaskControl& control, StaticReport& report);
-    StaticReport settle(double duration, TaskControl& control);
-    void countSolved(bool isSolved);
-    void checkHealth();
 
-    void carryOut(const Command& command);
-    void holdFixtures();
-    void bookContacts();
-    void loadFixtures();
-    void turnGrips();
-    void forgetTurns(Moment& moment) const;
-    bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
-    Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
+    // Loads: simulation_loads.cpp.
     double addLoads(double at);
     void bookLoadsBefore();
     void bookLoadsAfter();
-    void chooseIntegrator();
-    void setIntegrator(Integrator wanted);
-    double frameStep() const;
-    double longestImplicitStep() const;
-    double handStiffness(const Manipulator& manipulator) const;
-    Pose wantedPose(const ToolRun& tool, double duration) const;
-    double fastestSurface() const;
-    void turnTool(ToolRun& tool, const Quaternion& next) const;
-    std::vector<ToolHand> beginHands();
-    void endHands(const std::vector<ToolHand>& hands);
-    void makeImplicit();
-    std::uint64_t every(std::uint64_t interval) const { return isImplicit() ? 1 : interval; }
-    bool isImplicit() const { return scheme.isImplicit(); }
-    void tellFrictionApart();
-    void setMasses();
-    void setMass(std::size_t body);
-    void scaleMasses(BodyRun& run);
-    void requireDamping(const MaterialMap& materials, Integrator integrator) const;
-    void updateTimeStep();
-    void placeAtStart();
-    void setKind(BodyId body, BodyKind kind);
-    void anneal();
-    std::vector<RigidSurface> surfaces() const;
-    EnergyLedger storedEnergy();
-    std::vector<Contacts::BodyView> contactBodies();
-    void addPressing(Snapshot& shot) const;
-    Moment moment() const;
-    bool isOfThisScene(const Moment& moment) const;
-    void restore(const Moment& moment);
+
+    // Grips that turn: simulation_grips.cpp.
+    bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
+    void turnGrips();
+    void forgetTurns(Moment& moment) const;
+    Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
+
+    // Knives and planes: simulation_cutting.cpp.
+    void cutWithKnives();
+    std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
+
+    // Filling bodies anew: simulation_refill.cpp.
     Message whyNotRefilled(BodyId body) const;
+    bool isFirstFilling(BodyId body) const;
+    std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void carryObjects(BodyId body, const BodyRun& before, bool wasFirst, const std::vector<ObjectIndex>& oldOfNew);
     void takeContacts(const Contacts::Memory& memory);
     std::unique_ptr<BodyRun> takeFilling(BodyId body, const NewFilling& filling,
                                          StructuralConnections::Changes changes);
-    bool isFirstFilling(BodyId body) const;
-    std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void takeLoads(BodyId body);
     Contacts::Report lookAtContacts();
     void refill(BodyId body, double spacing);
     void refillWhereBad();
     void takeFirstFilling(BodyId body);
+
+    // Commands: simulation_commands.cpp.
+    void setKind(BodyId body, BodyKind kind);
+    void carryOut(const Command& command);
+    void applyCommands();
+
+    // The start: masses, fixtures, the stable step: simulation_setup.cpp.
+    void requireDamping(const MaterialMap& materials, Integrator integrator) const;
+    void setMasses();
+    void setMass(std::size_t body);
+    void scaleMasses(BodyRun& run);
+    void holdFixtures();
+    void updateTimeStep();
+    std::vector<Contacts::BodyView> contactBodies();
+    void placeAtStart();
+
+    // Moments: simulation_moment.cpp.
+    Moment moment() const;
+    bool isOfThisScene(const Moment& moment) const;
+    void restore(const Moment& moment);
     void restoreBodies(const Moment& moment);
     void keepMoment();
     void goTo(MomentPointer moment);
+
+    // What goes wrong is found, named and undone: simulation_health.cpp.
     void stop(const Message& cause, Trouble trouble);
     Message squashedBody();
+    std::pair<Trouble, Message> lookClosely();
+    std::pair<Trouble, Message> findTrouble();
+    void findTimeStep();
+    void checkHealth();
+    const Pieces& piecesOf(BodyId body);
+    std::size_t components();
+
+    // What a run is measured by: simulation_watch.cpp.
     Message runawayCause() const;
     Message energyCause();
     Message unsolvedCause() const;
@@ -206,12 +231,13 @@ struct Simulation::State {
     void noteToolsInside();
     void bookToolsInside();
     void bookPlaced(const Contacts::Report& report);
-    void findTimeStep();
-    std::pair<Trouble, Message> lookClosely();
-    std::pair<Trouble, Message> findTrouble();
-    std::size_t components();
-    const Pieces& piecesOf(BodyId body);
-    double brakeShape(BodyId body, double duration);
+
+    // What is told of it: simulation_snapshot.cpp.
+    EnergyLedger storedEnergy();
+    void addPressing(Snapshot& shot) const;
+
+    std::uint64_t every(std::uint64_t interval) const { return isImplicit() ? 1 : interval; }
+    bool isImplicit() const { return scheme.isImplicit(); }
 
     // What there is, and what acts on it.
     std::vector<Body> bodies;                   ///< present materials and fillings
