@@ -87,6 +87,10 @@ struct NewtonSettings {
     /// Slides slower than this stick [spacings per step]: their friction is proportional to the speed.
     double stickShare = 3e-4;
 
+    /// A hand at its force limit does not answer to ways along the force. This much is taken off what it would
+    /// answer, so that Newton's method does not go far beyond where the limit ends.
+    double handSlack = 0.9;
+
     // A line is searched until the force along it is this share of what it was, in so many trials; each within these
     // shares of where it must be. A trial costs the forces once, an iteration that went too far a solution.
     double lineTolerance = 0.5;

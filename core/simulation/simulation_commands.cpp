@@ -139,21 +139,17 @@ public:
     }
     void operator()(const RemoveFixture& command) const
     {
-        if (command.fixture >= m_state.grips.fixtures.size() || !m_state.grips.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        m_state.grips.fixtures[command.fixture].reset();
+        fixture(command.fixture).reset();
         m_state.holdFixtures();
     }
     void operator()(const MoveFixture& command) const
     {
-        if (command.fixture >= m_state.grips.fixtures.size() || !m_state.grips.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        Fixture moved = *m_state.grips.fixtures[command.fixture];
+        Fixture moved = *fixture(command.fixture);
         moved.velocity = command.velocity;
         moved.turn = command.turn;
         requireGrip(moved);
         keepingAccounts([&] {
-            m_state.grips.fixtures[command.fixture] = std::move(moved);
+            fixture(command.fixture) = std::move(moved);
             m_state.grips.progress[command.fixture] = {};
             m_state.holdFixtures();
         });
@@ -213,12 +209,7 @@ public:
         tool(command.tool).manipulator.name = command.name;
         tool(command.tool).start.name = command.name;
     }
-    void operator()(const RenameFixture& command) const
-    {
-        if (command.fixture >= m_state.grips.fixtures.size() || !m_state.grips.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        m_state.grips.fixtures[command.fixture]->name = command.name;
-    }
+    void operator()(const RenameFixture& command) const { fixture(command.fixture)->name = command.name; }
     void operator()(const AddLoad& command) const
     {
         if (command.load.body >= m_state.bodies.size())
@@ -250,6 +241,13 @@ private:
         if (id >= m_state.bodies.size())
             throw Problem(Message("Scene", "There is no body number %1.").with(id));
         return *m_state.runs[id];
+    }
+    std::optional<Fixture>& fixture(FixtureId id) const
+    {
+        std::vector<std::optional<Fixture>>& all = m_state.grips.fixtures;
+        if (id >= all.size() || !all[id])
+            throw Problem(Message("Fixture", "There is no fixture number %1.").with(id));
+        return all[id];
     }
     /// Pieces that came off move on their own, and a rigid body has one motion.
     void requireWhole(BodyId id) const
