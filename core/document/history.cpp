@@ -40,8 +40,8 @@ HistoryRecord recordOf(Gesture gesture, std::string name, const Packing& packing
 {
     return {.name = std::move(name),
             .commands = std::move(gesture.commands),
-            .step = gesture.moment->step,
-            .time = gesture.moment->time,
+            .step = gesture.moment->steps.count,
+            .time = gesture.moment->steps.time,
             .hash = gesture.hash,
             .moment = std::make_shared<const Bytes>(momentToBytes(*gesture.moment, packing))};
 }

@@ -238,14 +238,17 @@ private:
     bool areNumbers() const
     {
         const Moment& m = m_moment;
-        const double ledger[] = {m.contactEnergy,   m.addedMass,        m.startEnergy,     m.unknownEnergy,
-                                 m.energy.viscous,  m.energy.friction,  m.energy.plastic,  m.energy.fracture,
-                                 m.energy.toolWork, m.energy.numerical, m.energy.turnover, m.placedEnergy};
-        return all(ledger, [](double value) { return std::isfinite(value); }) && m.gravity.norm() <= strongestGravity &&
-               (!m.floorHeight || std::abs(*m.floorHeight) <= farthestFloor) && isWithin(m.floorFriction, 0, 2) &&
-               isWithin(m.floorAdhesion, 0, 1e9) && isAmount(m.time) && isPositive(m.timeStep) &&
-               m.timeStep <= longestTimeStep && isWithin(m.lastStep, 0, longestTimeStep) && isPositive(m.stableStep) &&
-               isPositive(m.crowding);
+        const EnergyLedger& energy = m.accounts.energy;
+        const Surroundings& around = m.around;
+        const double ledger[] = {m.contactEnergy, m.addedMass,      m.accounts.atStart, m.accounts.unknown,
+                                 energy.viscous,  energy.friction,  energy.plastic,     energy.fracture,
+                                 energy.toolWork, energy.numerical, energy.turnover,    m.accounts.placed};
+        return all(ledger, [](double value) { return std::isfinite(value); }) &&
+               around.gravity.norm() <= strongestGravity &&
+               (!around.floorHeight || std::abs(*around.floorHeight) <= farthestFloor) &&
+               isWithin(around.floorFriction, 0, 2) && isWithin(around.floorAdhesion, 0, 1e9) &&
+               isAmount(m.steps.time) && isPositive(m.steps.length) && m.steps.length <= longestTimeStep &&
+               isWithin(m.steps.last, 0, longestTimeStep) && isPositive(m.steps.stable) && isPositive(m.steps.crowding);
     }
 
     const Moment& m_moment;

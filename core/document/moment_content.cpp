@@ -196,11 +196,11 @@ void energies(Stream& bytes, Of<Stream, EnergyLedger>& energy)
 template <typename Stream>
 void watched(Stream& bytes, Of<Stream, Moment>& moment)
 {
-    bytes(moment.unsolvedSteps);
-    bytes(moment.unsolvedInRow);
-    bytes(moment.isPlacedInside);
-    bytes(moment.placedEnergy);
-    bytes(moment.energy.turnover);
+    bytes(moment.watch.unsolved);
+    bytes(moment.watch.unsolvedInRow);
+    bytes(moment.watch.isPlacedInside);
+    bytes(moment.accounts.placed);
+    bytes(moment.accounts.energy.turnover);
 }
 
 /// What version 7 knows beside.
@@ -240,31 +240,31 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
     contacts(bytes, moment.contacts);
     bytes(moment.contactEnergy);
     bytes(moment.contactCount);
-    bytes(moment.gravity);
-    bytes.optional(moment.floorHeight, [&](auto& height) { bytes(height); });
-    bytes(moment.floorFriction);
+    bytes(moment.around.gravity);
+    bytes.optional(moment.around.floorHeight, [&](auto& height) { bytes(height); });
+    bytes(moment.around.floorFriction);
     if (version >= 8)
-        bytes(moment.floorAdhesion);
-    bytes(moment.wantedIntegrator, Integrator::automatic);
-    bytes(moment.integrator, Integrator::implicitEuler);
-    sentence(bytes, moment.integratorReason);
-    bytes(moment.solverIterations);
-    bytes(moment.step);
-    for (auto* number : {&moment.time, &moment.timeStep, &moment.lastStep, &moment.stableStep, &moment.crowding,
-                         &moment.addedMass, &moment.startEnergy, &moment.unknownEnergy})
+        bytes(moment.around.floorAdhesion);
+    bytes(moment.scheme.wanted, Integrator::automatic);
+    bytes(moment.scheme.inUse, Integrator::implicitEuler);
+    sentence(bytes, moment.scheme.reason);
+    bytes(moment.scheme.iterations);
+    bytes(moment.steps.count);
+    for (auto* number : {&moment.steps.time, &moment.steps.length, &moment.steps.last, &moment.steps.stable,
+                         &moment.steps.crowding, &moment.addedMass, &moment.accounts.atStart, &moment.accounts.unknown})
         bytes(*number);
-    energies(bytes, moment.energy);
+    energies(bytes, moment.accounts.energy);
     if (version >= 2)
         watched(bytes, moment);
     if (version >= 4)
         frictions(bytes, moment.contacts, version);
     if (version >= 5)
-        bytes(moment.pace, Pace::exact);
+        bytes(moment.scheme.pace, Pace::exact);
     if (version >= 7)
         edges(bytes, moment.contacts);
-    bytes(moment.wasSquashed);
-    bytes(moment.health.ok);
-    sentence(bytes, moment.health.message);
+    bytes(moment.watch.wasSquashed);
+    bytes(moment.watch.health.ok);
+    sentence(bytes, moment.watch.health.message);
     if constexpr (Stream::isReader) {
         if (!bytes.atEnd())
             loadsAndTurns(bytes, moment);

@@ -11,13 +11,13 @@ std::uint64_t momentHash(Moment moment)
             tool->meanForce.setZero();
             tool->meanTorque.setZero();
         }
-    moment.energy.turnover = 0; // moments that were kept before it was do not tell
-    moment.unsolvedSteps = 0;
-    moment.unsolvedInRow = 0;
-    moment.isPlacedInside = false;
-    moment.placedEnergy = 0;
-    moment.integratorReason = {};
-    moment.health.message = {};
+    moment.accounts.energy.turnover = 0; // moments that were kept before it was do not tell
+    moment.watch.unsolved = 0;
+    moment.watch.unsolvedInRow = 0;
+    moment.watch.isPlacedInside = false;
+    moment.accounts.placed = 0;
+    moment.scheme.reason = {};
+    moment.watch.health.message = {};
     return checksumOf(momentContent(moment));
 }
 

@@ -1,17 +1,13 @@
 #include "core/integration/anderson_mixing.h"
 
 #include "core/integration/conjugate_gradients.h"
+#include "core/integration/solver_settings.h"
 
 #include <Eigen/Cholesky>
 
 namespace knead {
 
 namespace {
-
-// Iterations that are remembered: more gain little and take memory.
-constexpr std::size_t mostDifferences = 6;
-// Of the largest diagonal entry, added to all: differences that are nearly the same must not cancel by large factors.
-constexpr double regularization = 1e-10;
 
 VectorArray difference(const VectorArray& a, const VectorArray& b)
 {
@@ -40,7 +36,7 @@ void AndersonMixing::accelerate(const VectorArray& start, VectorArray& next)
     VectorArray way = difference(next, start);
     if (m_hasLast) {
         m_differences.push_back({difference(start, m_start), difference(way, m_way)});
-        if (m_differences.size() > mostDifferences)
+        if (m_differences.size() > solverSettings.mixing.mostDifferences)
             m_differences.pop_front();
     }
     const auto count = static_cast<Eigen::Index>(m_differences.size());
@@ -53,7 +49,7 @@ void AndersonMixing::accelerate(const VectorArray& start, VectorArray& next)
             for (Eigen::Index j = 0; j <= i; ++j)
                 products(i, j) = products(j, i) = dotProduct(own, m_differences[static_cast<std::size_t>(j)].way);
         }
-        products.diagonal().array() += regularization * products.diagonal().maxCoeff();
+        products.diagonal().array() += solverSettings.mixing.regularization * products.diagonal().maxCoeff();
         const Eigen::VectorXd shares = products.ldlt().solve(right);
         if (shares.allFinite())
             for (Eigen::Index j = 0; j < count; ++j) {

@@ -1,6 +1,7 @@
 // How large what a step lacks is, what it must keep, and what it took out. Part of ImplicitEuler.
 #include "core/integration/implicit_euler.h"
 #include "core/integration/piece_momenta.h"
+#include "core/integration/solver_settings.h"
 #include "core/task/block_sums.h"
 
 #include <algorithm>
@@ -8,13 +9,6 @@
 namespace knead {
 
 namespace {
-
-// Share of what touches a piece that it may lack as a whole; and towards what it stands on, which makes up for that in the next
-// step.
-constexpr double wholeTolerance = 3e-3;
-constexpr double pushedTolerance = 3e-2;
-
-constexpr double flatShare = 0.999; // of normals that add up, where a piece stands on something flat
 
 constexpr std::size_t blockSize = 4096;
 
@@ -93,7 +87,7 @@ struct ImplicitEuler::Whole {
     /// Of the lack, along what it stands on; all of it where that is not flat.
     Vec3 sliding() const
     {
-        if (normal.norm() < flatShare * pushed)
+        if (normal.norm() < solverSettings.newton.flatShare * pushed)
             return lack;
         const Vec3 up = normal.normalized();
         return lack - lack.dot(up) * up;
@@ -105,7 +99,9 @@ struct ImplicitEuler::Whole {
         if (isHeld || acts == 0)
             return 0;
         const Vec3 side = sliding();
-        return std::max(side.norm() / wholeTolerance, (lack - side).norm() / pushedTolerance) / acts;
+        return std::max(side.norm() / solverSettings.newton.wholeTolerance,
+                        (lack - side).norm() / solverSettings.newton.pushedTolerance) /
+               acts;
     }
 };
 

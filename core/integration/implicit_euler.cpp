@@ -1,5 +1,6 @@
 #include "core/integration/implicit_euler.h"
 
+#include "core/integration/solver_settings.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -11,15 +12,6 @@ namespace knead {
 namespace {
 
 constexpr std::size_t blockSize = 4096;
-
-constexpr int mostIterations = 400; // of conjugate gradients for one linear system
-
-// Tools have no mass. In the system they have this share of what their hands do, so that it stays positive.
-constexpr double handMassShare = 1e-4;
-
-// The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
-constexpr double staleFactor = 1.5;
-constexpr double staleMore = 3;
 
 } // namespace
 
@@ -226,7 +218,7 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
             continue;
         }
         const ToolHand& hand = m_hands[n];
-        const double mass = handMassShare * h * h * hand.stiffness;
+        const double mass = solverSettings.linear.handMassShare * h * h * hand.stiffness;
         m_system.setRigid(m_handIndex[n], mass, mass * Mat3::Identity());
         links.push_back({.first = {.row = static_cast<std::uint32_t>(m_handRow[n]), .isRigid = true},
                          .second = {},
@@ -239,7 +231,8 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
         m_preconditioner.updateBlocks(m_system);
     else
         m_preconditioner.updateLinks(m_system);
-    const bool isStale = m_presentRate > staleFactor * m_freshRate + staleMore;
+    const bool isStale =
+        m_presentRate > solverSettings.linear.staleFactor * m_freshRate + solverSettings.linear.staleMore;
     if (m_factoredStep != h || isStale) {
         m_preconditioner.updateClusters(m_system);
         m_factoredStep = h;
@@ -251,7 +244,7 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
 int ImplicitEuler::solve(double goal)
 {
     const ConjugateGradients::Report report =
-        m_solver.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, mostIterations);
+        m_solver.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, solverSettings.linear.mostIterations);
     const double decades = 0.5 * std::log10(report.start / report.end);
     if (decades > 1) {
         m_presentRate = report.iterations / decades;

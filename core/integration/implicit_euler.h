@@ -3,6 +3,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
+#include "core/integration/solver_settings.h"
 #include "core/integration/tool_hand.h"
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
@@ -89,7 +90,7 @@ private:
     void measure(Lack& lack, const std::vector<ContactTangent>& tangents, double h, bool isFirst);
     static double goalOf(const Lack& lack);
     void account(Report& report, double h) const;
-    double stickSpeed(double h) const { return stickShare * m_spacing / h; }
+    double stickSpeed(double h) const { return solverSettings.newton.stickShare * m_spacing / h; }
     void searchLine(const VectorArray& start, const std::function<void()>& look);
     void noteTouched(const std::vector<ContactTangent>& tangents);
     void guess(std::size_t body, double h);
@@ -121,8 +122,6 @@ private:
     void keepMomenta(const Vec3& gravity, double h);
     void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
-
-    static constexpr double stickShare = 3e-4; ///< slower slides stick [spacings per step]
 
     std::vector<BodyView> m_bodies;
     std::function<double()> m_addLoads;

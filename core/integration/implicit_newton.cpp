@@ -1,6 +1,7 @@
 // How the end of a step is found: Newton's method, and when it is done. Part of ImplicitEuler.
 #include "core/integration/implicit_euler.h"
 
+#include "core/integration/solver_settings.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -12,40 +13,7 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-// A step is done at its tolerance: a share of the residual at its start, by the preconditioned norm. What a step leaves is in the
-// forces at the start of the next, so that a body at rest gets as near to balance as rounding allows, whatever that is.
-// Linear systems are solved to a share of it that is the same for all: friction is fitted to what they give.
-constexpr double linearTolerance = 5e-3;
-// One only so far, by what is there, as the last one served: where contacts open and close, and slides turn, it leads to others
-// anyway.
-constexpr double looseTolerance = 0.1;
-constexpr double laterTolerance = 0.03;
-constexpr double singleTolerance = 1e-3; // and no solution goes further in single precision
-// Of the tolerance: share of what acts in the step at which it is done as well. What is near balance as it is costs no solution.
-constexpr double loadShare = 0.1;
-constexpr double failedTolerance = 0.3; // above which a step has failed
-// Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
-// all it touched has loads of nothing.
-constexpr double leastReference = 1e-6;
-constexpr double leastFreeReference = 1e-4; // where nothing touches
-constexpr int mostNewtonIterations = 12;
-
-// Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
-constexpr double restShare = 1e-8;
-
-// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, until those of the
-// solution are deeper.
-constexpr double steeperShare = 1.2;
-
-// Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
-constexpr double mixingLost = 4;
-
-// A line is searched until the force along it is this share of what it was, in so many trials; each within these shares of where it
-// must be.
-constexpr double lineTolerance = 0.5;
-constexpr int mostTrials = 6;
-constexpr double nearestTrial = 0.1;
-constexpr double farthestTrial = 0.9;
+constexpr const NewtonSettings& newton = solverSettings.newton;
 
 } // namespace
 
@@ -76,8 +44,8 @@ void ImplicitEuler::searchLine(const VectorArray& start, const std::function<voi
     for (int trial = 1;; ++trial) {
         look();
         const double now = dotProduct(m_residual, m_way);
-        const bool isNear = now >= -lineTolerance * slope && (share == 1 || now <= lineTolerance * slope);
-        if (isNear || trial == mostTrials || !(slope > 0))
+        const bool isNear = now >= -newton.lineTolerance * slope && (share == 1 || now <= newton.lineTolerance * slope);
+        if (isNear || trial == newton.mostTrials || !(slope > 0))
             return;
         if (now < 0) {
             high = share;
@@ -87,7 +55,7 @@ void ImplicitEuler::searchLine(const VectorArray& start, const std::function<voi
             atLow = now;
         }
         // In turns by the chord, and in halves, as forces of contacts are far from straight.
-        const double chord = std::clamp(atLow / (atLow - atHigh), nearestTrial, farthestTrial);
+        const double chord = std::clamp(atLow / (atLow - atHigh), newton.nearestTrial, newton.farthestTrial);
         share = low + (high - low) * (trial % 2 == 1 ? chord : 0.5);
         forEachNumber([&](std::size_t c, std::size_t i) {
             m_velocity.component(c)[i] = start.component(c)[i] + share * m_way.component(c)[i];
@@ -113,7 +81,7 @@ bool ImplicitEuler::isBalancedAlready(const Contacts::Report& contacts, double h
     if (!m_wasBalanced || m_factoredStep != h || contacts.clinging > 0)
         return false;
     const double loads = sizeOfLoads(contacts.tangents, h);
-    return sizeOf(m_residual) <= std::max(floor, std::pow(loadShare * m_tolerance, 2) * loads) &&
+    return sizeOf(m_residual) <= std::max(floor, std::pow(newton.loadShare * m_tolerance, 2) * loads) &&
            lackOfWholes(contacts.tangents, h) <= 1;
 }
 
@@ -136,11 +104,11 @@ void ImplicitEuler::measure(Lack& lack, const std::vector<ContactTangent>& tange
         lack.first = tangents.empty() ? lack.size : std::min(lack.size, sizeWithoutContacts(tangents, h));
         lack.start = lack.reference = lack.size;
     } else {
-        const double least = m_touched.empty() ? leastFreeReference : leastReference;
+        const double least = m_touched.empty() ? newton.leastFreeReference : newton.leastReference;
         lack.reference = std::min(lack.start, std::max(least * lack.first, loads));
     }
     lack.isSmall = lack.size <= std::max({m_tolerance * m_tolerance * lack.reference, lack.floor,
-                                          std::pow(loadShare * m_tolerance, 2) * loads});
+                                          std::pow(newton.loadShare * m_tolerance, 2) * loads});
 }
 
 /// To which the next linear system is solved: as well as the last one served (Eisenstat and Walker 1996). What is small but not
@@ -148,10 +116,12 @@ void ImplicitEuler::measure(Lack& lack, const std::vector<ContactTangent>& tange
 double ImplicitEuler::goalOf(const Lack& lack)
 {
     if (lack.isSmall)
-        return singleTolerance * singleTolerance * lack.size;
-    const double loose =
-        lack.last > 0 ? std::clamp(lack.size / lack.last, singleTolerance, laterTolerance) : looseTolerance;
-    return std::max({linearTolerance * linearTolerance * lack.reference, 0.25 * lack.floor, loose * loose * lack.size});
+        return newton.singleTolerance * newton.singleTolerance * lack.size;
+    const double loose = lack.last > 0
+                             ? std::clamp(lack.size / lack.last, newton.singleTolerance, newton.laterTolerance)
+                             : newton.looseTolerance;
+    return std::max({newton.linearTolerance * newton.linearTolerance * lack.reference, 0.25 * lack.floor,
+                     loose * loose * lack.size});
 }
 
 /// Newton's iteration, from the velocities in m_velocity.
@@ -162,7 +132,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
     ContactStep step{.duration = h,
                      .stickSpeed = stickSpeed(h),
                      .isTrial = true,
-                     .steepest = std::max(1.0, steeperShare * m_steepness),
+                     .steepest = std::max(1.0, newton.steeperShare * m_steepness),
                      .clings = true};
     const auto look = [&] {
         tryVelocities(h);
@@ -170,11 +140,11 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
         noteTouched(report.contacts.tangents);
         findResidual(report.contacts, gravity, h);
     };
-    Lack lack{.floor = m_mass * std::pow(restShare * m_spacing / h, 2)};
+    Lack lack{.floor = m_mass * std::pow(newton.restShare * m_spacing / h, 2)};
     for (look();; ++report.newtonIterations) {
         const std::vector<ContactTangent>& tangents = report.contacts.tangents;
         const bool isFirst = report.newtonIterations == 0;
-        const bool isLast = report.newtonIterations == mostNewtonIterations;
+        const bool isLast = report.newtonIterations == newton.mostIterations;
         bool isBalanced = isFirst && isBalancedAlready(report.contacts, h, lack.floor);
         if (!isBalanced) {
             if (isFirst)
@@ -188,7 +158,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             continue; // without what only seemed to hold
         }
         if (isBalanced && report.contacts.steepness > step.steepest && !isLast) {
-            step.steepest = steeperShare * report.contacts.steepness;
+            step.steepest = newton.steeperShare * report.contacts.steepness;
             look();
             continue; // with contacts as they must be at these forces
         }
@@ -205,7 +175,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             continue;
         }
         if (isLast || !std::isfinite(lack.size)) {
-            report.converged = lack.size <= failedTolerance * failedTolerance * lack.reference;
+            report.converged = lack.size <= newton.failedTolerance * newton.failedTolerance * lack.reference;
             keepMomenta(gravity, h);
             break;
         }
@@ -215,7 +185,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             m_preconditioner.updateClusters(m_system);
         // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
         const bool flows = !isFirst && flowedEnergy() > 0;
-        if (lack.last > 0 && lack.size > mixingLost * lack.last)
+        if (lack.last > 0 && lack.size > solverSettings.mixing.lost * lack.last)
             m_mixing.restart();
         m_scratch = m_velocity;
         report.iterations += solve(goalOf(lack));

@@ -1,6 +1,7 @@
 #include "core/integration/rigid_mode_levels.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/integration/solver_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +16,6 @@ namespace {
 using Mat6 = RigidModeLevels::Mat6;
 
 constexpr std::size_t blockSize = 48; // numbers of a block of BlockRows
-
-// Clusters of the last level, at most.
-constexpr std::size_t mostAtTop = 40;
-// What a level above gives is taken so many times, since regions that are rigid are stiffer than what they stand for. It stays
-// positive definite with any number; the spectrum ends at this to the power of the levels. 1.5 instead of 1 takes a fifth off the
-// iterations at Poisson's ratio .45 and .49, 1.8 a little more.
-constexpr float overCorrection = 1.5F;
-
-// A level has at most so many of the clusters below it, or it is the last one.
-constexpr double leastGain = 0.8;
-
-// Clusters of one object, or of objects in a row, have rotations that do nothing; so much of the diagonal keeps inverses finite:
-// in single precision enough for rounding of what does nothing to leave the rest positive definite.
-constexpr double singleShift = 1e-4;
-constexpr double doubleShift = 1e-8;
 
 void addShift(Eigen::Ref<Mat6> block, double shift)
 {
@@ -122,7 +108,7 @@ void RigidModeLevels::Level::setRows(const Blocks& lower)
         if (row != column)
             return place(column, row, matrix.transpose());
         Mat6 own = matrix;
-        addShift(own, singleShift);
+        addShift(own, solverSettings.linear.singleShift);
         write(own.ldlt().solve(Mat6::Identity()), &inverse[blockSize * row]);
     });
 }
@@ -188,10 +174,10 @@ void RigidModeLevels::finish()
 {
     m_blocks.sort();
     std::vector<Cluster> clusters = m_clusters;
-    while (clusters.size() > mostAtTop) {
+    while (clusters.size() > solverSettings.linear.mostAtTop) {
         std::vector<Cluster> next = clusters;
         Level level = nextLevel(next, m_blocks);
-        if (static_cast<double>(next.size()) > leastGain * static_cast<double>(clusters.size()))
+        if (static_cast<double>(next.size()) > solverSettings.linear.leastGain * static_cast<double>(clusters.size()))
             break;
         level.setRows(m_blocks);
         Blocks above(level.parents);
@@ -215,7 +201,7 @@ void RigidModeLevels::finish()
     m_blocks.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6& matrix) {
         Mat6 own = matrix;
         if (row == column)
-            addShift(own, doubleShift);
+            addShift(own, solverSettings.linear.doubleShift);
         whole.block<6, 6>(6 * row, 6 * column) = own;
         whole.block<6, 6>(6 * column, 6 * row) = own.transpose();
     });
@@ -269,8 +255,8 @@ void RigidModeLevels::solve(std::size_t number, const std::vector<float>& load, 
         const Eigen::Vector3f turn(from[3], from[4], from[5]);
         const Eigen::Vector3f way = turn.cross(level.arm[i].cast<float>());
         for (int c = 0; c < 3; ++c) {
-            to[c] += overCorrection * (from[c] + way[c]);
-            to[3 + c] += overCorrection * static_cast<float>(level.share[i]) * turn[c];
+            to[c] += solverSettings.linear.overCorrection * (from[c] + way[c]);
+            to[3 + c] += solverSettings.linear.overCorrection * static_cast<float>(level.share[i]) * turn[c];
         }
     }
     kernel.sweepBack(rows, load.data(), motion.data());

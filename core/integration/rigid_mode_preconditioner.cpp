@@ -1,5 +1,6 @@
 #include "core/integration/rigid_mode_preconditioner.h"
 
+#include "core/integration/solver_settings.h"
 #include "core/mechanics/tangent_kernels.h"
 #include "core/task/parallel.h"
 
@@ -17,10 +18,6 @@ using Vec6 = RigidModeLevels::Vec6;
 
 constexpr std::size_t slotsAtATime = 2048; // whole lanes of every kind
 constexpr std::size_t clustersAtATime = 64;
-
-// Weight of what clusters do: regions that are rigid are stiffer than the material. At 2, bars take .5 (Poisson's ratio .49) to 1
-// times the iterations of 1; from 1.5 to 3 it makes little difference.
-constexpr float clusterWeight = 2;
 
 void addBlock(std::array<LaneVector<double>, 6>& blocks, std::size_t slot, const Mat3& matrix)
 {
@@ -159,7 +156,7 @@ double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
         addLoad(body.cluster, (Vec6() << r.at(body.slot), r.at(body.slot + 1)).finished());
     m_levels->solve(m_load, m_motion);
     for (float& value : m_motion)
-        value *= clusterWeight;
+        value *= solverSettings.linear.clusterWeight;
     for (const RigidSlots& body : m_rigid) {
         z.add(body.slot, motionOf(body.cluster, 0));
         z.add(body.slot + 1, motionOf(body.cluster, 3));

@@ -1,6 +1,7 @@
 #include "core/integration/static_equilibrium.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/integration/solver_settings.h"
 #include "core/task/parallel.h"
 
 #include <Eigen/Dense>
@@ -14,30 +15,7 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-// The step in times that sound takes across the body: so slender a body that its first mode is this much slower than that has
-// masses in its operator that count as much as its stiffness, which costs iterations and no accuracy.
-constexpr double stepShare = 1e4;
-
-constexpr double linearTolerance = 1e-3; // to which a linear system is solved, by its preconditioned norm
-constexpr int mostIterations = 3000;     // of conjugate gradients for one linear system
-constexpr int staleFactor = 2;           // of iterations, at which the coarse factor is found anew
-
-// A step may stretch and turn connections by this much. A turn of t lengthens them by t^2 / 2 when it is taken as straight.
-constexpr double largestStretch = 0.2;
-
-// A line is searched until the force along it is this share of what it was, in so many trials.
-constexpr double lineTolerance = 0.5;
-constexpr int mostTrials = 5;
-constexpr double shortestTrial = 0.1;
-
-// Where nothing acts any more, what is left is compared with this share of what acted on the way.
-constexpr double leastActing = 1e-6;
-
-// Slides shorter than this stick [spacings].
-constexpr double stickShare = 3e-4;
-
-// Three held objects hold a piece when they span this share of the square of their distance.
-constexpr double spanShare = 1e-6;
+constexpr const StaticSettings& balance = solverSettings.balance;
 
 /// Tells how far a solution is: forces that are left fall by about the same factor with every iteration.
 class Progress {
@@ -85,7 +63,7 @@ StaticEquilibrium::StaticEquilibrium(std::vector<BodyView> bodies)
         }
         mass /= static_cast<double>(body.state->size());
         const double cells = around.diagonal().norm() / body.connections->aggregate().lattice.spacing;
-        m_step = std::max(m_step, stepShare * (1 + cells) * std::sqrt(mass / std::max(stiffness, 1e-300)));
+        m_step = std::max(m_step, balance.stepShare * (1 + cells) * std::sqrt(mass / std::max(stiffness, 1e-300)));
     }
     if (m_step == 0)
         m_step = 1;
@@ -110,7 +88,7 @@ Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::ve
     }
     Contacts::Report report =
         loads.contacts->computeForces(loads.surfaces, {.duration = m_step,
-                                                       .stickSpeed = stickShare * m_spacing / m_step,
+                                                       .stickSpeed = balance.stickShare * m_spacing / m_step,
                                                        .isTrial = true,
                                                        .isStatic = true,
                                                        .isBalance = isBalance});
@@ -141,7 +119,7 @@ void StaticEquilibrium::findResidual(const Vec3& gravity, const std::vector<Cont
         if (!tangent.second)
             held += tangent.force.squaredNorm();
     m_mostActing = std::max(m_mostActing, std::sqrt(held + weight));
-    m_acting = std::max(leastActing * m_mostActing, std::sqrt(held + weight));
+    m_acting = std::max(balance.leastActing * m_mostActing, std::sqrt(held + weight));
 }
 
 LinkEnd StaticEquilibrium::endOf(const ObjectRef& object, const PointSpread* spread) const
@@ -207,7 +185,7 @@ bool StaticEquilibrium::isFree(const std::vector<ContactTangent>& tangents) cons
             return hold.objects > hold.count;
         const Mat3 spread = hold.squares - hold.sum * hold.sum.transpose() / hold.count;
         const Vec3 extents = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-        return hold.objects > hold.count && extents[1] <= spanShare * extents[2];
+        return hold.objects > hold.count && extents[1] <= balance.spanShare * extents[2];
     });
 }
 
@@ -227,14 +205,14 @@ VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tan
     const double size = m_preconditioner.sizeOf(m_system, rest);
     VectorArray way(m_system.rows());
     const ConjugateGradients::Report solved =
-        m_solver.solve(m_system, m_preconditioner, rest, way, linearTolerance * linearTolerance * size, mostIterations,
-                       [&control] { return control.isCancelled(); });
+        m_solver.solve(m_system, m_preconditioner, rest, way, balance.linearTolerance * balance.linearTolerance * size,
+                       balance.mostIterations, [&control] { return control.isCancelled(); });
     control.throwIfCancelled();
     report.iterations += solved.iterations;
     ++report.newtonIterations;
     if (isFirst)
         m_freshIterations = std::max(1, solved.iterations);
-    else if (solved.iterations > staleFactor * m_freshIterations)
+    else if (solved.iterations > balance.staleFactor * m_freshIterations)
         m_freshIterations = 0;
     for (std::size_t i = 0; i < m_system.rows(); ++i)
         way.set(i, m_step * way.at(i));
@@ -310,11 +288,11 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
             way = newton;
         }
         const double length = longest(way);
-        double share = std::min({1.0, largestStretch / std::max(largestStrain(way), 1e-300),
+        double share = std::min({1.0, balance.largestStretch / std::max(largestStrain(way), 1e-300),
                                  loads.farthestStep / std::max(length, 1e-300)});
         const double slope = dotProduct(m_residual, way);
         double done = 0;
-        for (int trial = 0; trial < mostTrials; ++trial) {
+        for (int trial = 0; trial < balance.mostTrials; ++trial) {
             move(way, share - done);
             if (loads.moved)
                 loads.moved(std::abs(share - done) * length);
@@ -322,9 +300,9 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
             report.contacts = findForces(loads, start);
             findResidual(loads.gravity, report.contacts.tangents);
             const double now = dotProduct(m_residual, way);
-            if (now >= -lineTolerance * slope || !(slope > 0))
+            if (now >= -balance.lineTolerance * slope || !(slope > 0))
                 break;
-            share *= std::max(shortestTrial, slope / (slope - now));
+            share *= std::max(balance.shortestTrial, slope / (slope - now));
         }
         for (std::size_t i = 0; i < gone.size(); ++i)
             gone.add(i, done * way.at(i));

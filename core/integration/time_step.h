@@ -16,8 +16,4 @@ double frequencyForTimeStep(double timeStep, double dampingTime);
 /// @param leastDampingTime, dampingTime bounds of b / k over all modes [s]
 double stableForwardEulerStep(double frequency, double leastDampingTime, double dampingTime);
 
-/// Share of the stable step that is used. The rest is for what the linear analysis leaves out: stiffening under large
-/// compression or stretch, and more than one contact on an object.
-inline constexpr double timeStepShare = 0.8;
-
 } // namespace knead

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
+#include "core/integration/solver_settings.h"
 
 #include <cstdint>
 
@@ -28,11 +29,8 @@ struct ToolHand {
         const double s = grip(place);
         Mat3 answer = s * stiffness * Mat3::Identity();
         if (s < 1) {
-            // At the limit f does not answer to ways along it. This much is taken off, so that Newton's method does not go far beyond
-            // where the limit ends.
-            constexpr double slack = 0.9;
             const Vec3 along = wantedAt(place).normalized();
-            answer -= slack * s * stiffness * along * along.transpose();
+            answer -= solverSettings.newton.handSlack * s * stiffness * along * along.transpose();
         }
         return answer;
     }

@@ -1,5 +1,5 @@
-// How bodies that touch at the start are made one. Part of Contacts.
-#include "core/mechanics/contacts.h"
+// How bodies that touch at the start are made one.
+#include "core/mechanics/contact_joining.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace knead {
 
 namespace {
 
-constexpr double rounding = 1e-6;    // [a]
-constexpr double touchingGap = 0.5;  // [a] between skins
-constexpr double deepestOverlap = 1; // [a]: bodies further inside each other do not merely touch
-constexpr double skinDepth = 1;      // [a]: objects less deep than this are joined
-constexpr double reach = 1.6;        // [a]: straight across and diagonally, as in a lattice
+constexpr double gluingRounding = 1e-6; // [a]
+constexpr double touchingGap = 0.5;     // [a] between skins
+constexpr double deepestOverlap = 1;    // [a]: bodies further inside each other do not merely touch
+constexpr double gluedDepth = 1;        // [a]: objects less deep than this are joined
+constexpr double gluingReach = 1.6;     // [a]: straight across and diagonally, as in a lattice
 
 /// A seam of two lattices that meet node on node is opened by so many connections, their squared slopes added up: one
 /// between the nodes, and from each of them one straight and four diagonal ones into the other body.
@@ -65,19 +65,17 @@ void forEachWithin(const Lattice& lattice, const Vec3& place, double radius, Vis
             }
 }
 
-} // namespace
-
 /// Whether the skin of another body is within the gap, measured along the way out of that body's nearest object.
-bool Contacts::touches(const ObjectRef& object, std::uint32_t other) const
+bool touches(const ContactObjects& objects, const ObjectRef& object, std::uint32_t other)
 {
-    const Aggregate& own = m_bodies[object.body].connections->aggregate();
-    const Aggregate& theirs = m_bodies[other].connections->aggregate();
+    const Aggregate& own = objects.bodies()[object.body].connections->aggregate();
+    const Aggregate& theirs = objects.bodies()[other].connections->aggregate();
     const double a = std::max(own.lattice.spacing, theirs.lattice.spacing);
     const Vec3 place = own.lattice.position(object.object);
     ObjectIndex nearest = 0;
     double least = std::numeric_limits<double>::infinity();
-    forEachWithin(theirs.lattice, place, reach * a, [&](ObjectIndex candidate, double distance) {
-        const bool isSkin = theirs.depth[candidate] < (skinDepth - rounding) * theirs.lattice.spacing;
+    forEachWithin(theirs.lattice, place, gluingReach * a, [&](ObjectIndex candidate, double distance) {
+        const bool isSkin = theirs.depth[candidate] < (gluedDepth - gluingRounding) * theirs.lattice.spacing;
         if (isSkin && distance < least) {
             nearest = candidate;
             least = distance;
@@ -88,45 +86,47 @@ bool Contacts::touches(const ObjectRef& object, std::uint32_t other) const
     const double above =
         outwardAt(theirs.lattice, nearest).dot(place - theirs.lattice.position(nearest)) - theirs.depth[nearest];
     const double gap = above - own.depth[object.object];
-    return gap <= (touchingGap + rounding) * a && gap >= -deepestOverlap * a;
+    return gap <= (touchingGap + gluingRounding) * a && gap >= -deepestOverlap * a;
 }
 
-void Contacts::glueTo(const ObjectRef& object, std::uint32_t other)
+/// Adds joints of an object with those around it of another body.
+void glueTo(const ContactObjects& objects, const ObjectRef& object, std::uint32_t other, std::vector<Joint>& joints)
 {
-    const Lattice& lattice = m_bodies[other].connections->aggregate().lattice;
-    const auto shareOf = [this](const ObjectRef& end) { // of the section that an object in the skin stands for
-        const double a = spacingOf(end);
-        return skinOf(end) / (a * a);
+    const Lattice& lattice = objects.bodies()[other].connections->aggregate().lattice;
+    const auto shareOf = [&](const ObjectRef& end) { // of the section that an object in the skin stands for
+        const double a = objects.spacingOf(end);
+        return objects.skinOf(end) / (a * a);
     };
-    const double spacing = std::min(spacingOf(object), lattice.spacing);
-    const Vec3 place = m_bodies[object.body].connections->aggregate().lattice.position(object.object);
-    forEachWithin(
-        lattice, place, reach * std::max(spacingOf(object), lattice.spacing), [&](ObjectIndex end, double distance) {
-            const ObjectRef opposite{other, end};
-            const Material& one = materialOf(object);
-            const Material& two = materialOf(opposite);
-            const ConnectionLaw law = lawBetween(one, two, spacing);
-            const double stiffness =
-                jointWeight * law.stiffness * spacing * std::min(shareOf(object), shareOf(opposite));
-            // By so much the seam opens under the stress that tears it, and the material at it is strained as well.
-            const bool tears = std::isfinite(law.breakingStrain);
-            const double opening = stressAtStrain * law.breakingStrain * spacing / (jointWeight * connectionsAcross);
-            m_newJoints.push_back({.first = object,
-                                   .second = opposite,
-                                   .nominalLength = distance,
-                                   .stiffness = stiffness,
-                                   .damping = law.dampingTime * stiffness,
-                                   .tolerance = tears ? stiffness * (opening + distance * law.breakingStrain)
-                                                      : std::numeric_limits<double>::infinity(),
-                                   .yieldStrain = std::numeric_limits<double>::infinity(),
-                                   .ductility = std::numeric_limits<double>::infinity(),
-                                   .healed = true});
-        });
+    const double spacing = std::min(objects.spacingOf(object), lattice.spacing);
+    const Vec3 place = objects.bodies()[object.body].connections->aggregate().lattice.position(object.object);
+    const double radius = gluingReach * std::max(objects.spacingOf(object), lattice.spacing);
+    forEachWithin(lattice, place, radius, [&](ObjectIndex end, double distance) {
+        const ObjectRef opposite{other, end};
+        const Material& one = objects.materialOf(object);
+        const Material& two = objects.materialOf(opposite);
+        const ConnectionLaw law = lawBetween(one, two, spacing);
+        const double stiffness = jointWeight * law.stiffness * spacing * std::min(shareOf(object), shareOf(opposite));
+        // By so much the seam opens under the stress that tears it, and the material at it is strained as well.
+        const bool tears = std::isfinite(law.breakingStrain);
+        const double opening = stressAtStrain * law.breakingStrain * spacing / (jointWeight * connectionsAcross);
+        joints.push_back({.first = object,
+                          .second = opposite,
+                          .nominalLength = distance,
+                          .stiffness = stiffness,
+                          .damping = law.dampingTime * stiffness,
+                          .tolerance = tears ? stiffness * (opening + distance * law.breakingStrain)
+                                             : std::numeric_limits<double>::infinity(),
+                          .yieldStrain = std::numeric_limits<double>::infinity(),
+                          .ductility = std::numeric_limits<double>::infinity(),
+                          .healed = true});
+    });
 }
 
-/// Bodies are at rest where their lattices are.
-void Contacts::glueTouching()
+} // namespace
+
+std::vector<Joint> gluedJoints(const ContactObjects& objects)
 {
+    std::vector<Joint> joints;
     const auto boxOf = [](const Aggregate& aggregate) {
         Box box;
         for (ObjectIndex i = 0; i < aggregate.size(); ++i)
@@ -134,23 +134,23 @@ void Contacts::glueTouching()
         return box;
     };
     std::vector<Box> boxes;
-    for (const BodyView& body : m_bodies)
+    for (const ContactBody& body : objects.bodies())
         boxes.push_back(boxOf(body.connections->aggregate()));
-    for (std::uint32_t b = 0; b < m_bodies.size(); ++b)
-        for (std::uint32_t other = 0; other < m_bodies.size(); ++other) {
-            const Vec3 margin = Vec3::Constant(reach * std::max(spacingOf({b, 0}), spacingOf({other, 0})));
+    for (std::uint32_t b = 0; b < objects.bodies().size(); ++b)
+        for (std::uint32_t other = 0; other < objects.bodies().size(); ++other) {
+            const Vec3 margin =
+                Vec3::Constant(gluingReach * std::max(objects.spacingOf({b, 0}), objects.spacingOf({other, 0})));
             const Box near(boxes[other].min() - margin, boxes[other].max() + margin);
             if (b == other || !near.intersects(boxes[b]))
                 continue;
-            const Aggregate& aggregate = m_bodies[b].connections->aggregate();
+            const Aggregate& aggregate = objects.bodies()[b].connections->aggregate();
             for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
-                const bool isSkin = aggregate.depth[i] < (skinDepth - rounding) * aggregate.lattice.spacing;
-                if (isSkin && near.contains(aggregate.lattice.position(i)) && touches({b, i}, other))
-                    glueTo({b, i}, other);
+                const bool isSkin = aggregate.depth[i] < (gluedDepth - gluingRounding) * aggregate.lattice.spacing;
+                if (isSkin && near.contains(aggregate.lattice.position(i)) && touches(objects, {b, i}, other))
+                    glueTo(objects, {b, i}, other, joints);
             }
         }
-    makeNewJoints();
-    m_valid = false;
+    return joints;
 }
 
 } // namespace knead

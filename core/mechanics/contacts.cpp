@@ -1,264 +1,91 @@
 #include "core/mechanics/contacts.h"
 
-#include "core/task/parallel.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace knead {
 
-namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
-
-// Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
-constexpr double marginShare = 0.5;
-// So much further for steps of the implicit scheme.
-constexpr double aheadShare = 1;
-// Radii of objects that meet each other, in spacings.
-constexpr double smallestRadius = 0.5;
-constexpr double largestRadius = 1.5;
-// Rounding must not take part of the next layer of objects.
-constexpr double belowLayer = 1 - 1e-6;
-constexpr double largestOverlapShare = 2;
-// An object that is pressed against others touches several at a time; they share what one contact is worth.
-constexpr double pairShare = 0.25;
-
-// Contacts of rigid bodies may reach this share of what the deformable ones' time step allows.
-constexpr double rigidShare = 0.1;
-
-template <typename Pair>
-auto findPair(std::vector<Pair>& sorted, const VicinityPair& wanted)
-{
-    const auto found = std::lower_bound(sorted.begin(), sorted.end(), wanted,
-                                        [](const Pair& pair, const VicinityPair& key) { return pair.objects < key; });
-    return found != sorted.end() && found->objects == wanted ? found : sorted.end();
-}
-
-} // namespace
-
 Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
-    : m_bodies(std::move(bodies))
-    , m_brokenSeen(m_bodies.size(), 0)
+    : m_objects(std::move(bodies))
+    , m_surfaceContacts(m_objects.bodies())
+    , m_listing(m_objects.bodies())
     , m_vicinity(makeVicinity(method))
-    , m_surfaceContacts(m_bodies)
+    , m_brokenSeen(m_objects.bodies().size(), 0)
 {
-    addSkins();
-    for (std::uint32_t b = 0; b < m_bodies.size(); ++b)
-        findSlits(b);
+    for (std::uint32_t b = 0; b < m_objects.bodies().size(); ++b)
+        m_objects.findSlits(b);
     updateParameters(0);
     keepDistances();
 }
 
-void Contacts::addSkins()
-{
-    for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        m_margin = std::max(m_margin, marginShare * m_bodies[b].connections->aggregate().lattice.spacing);
-        m_indexOf.emplace_back(m_bodies[b].connections->aggregate().size(), none);
-        addSkin(b);
-    }
-}
-
 double Contacts::setScheme(std::span<const RigidSurface> surfaces, bool isImplicit)
 {
-    m_ahead = 0;
-    for (const BodyView& body : m_bodies)
-        if (isImplicit)
-            m_ahead = std::max(m_ahead, aheadShare * body.connections->aggregate().lattice.spacing);
-    m_valid = false;
-    const double before = m_surfaceContacts.energy(m_bodies, surfaces);
+    m_listing.setScheme(m_objects.bodies(), isImplicit);
+    const double before = m_surfaceContacts.energy(m_objects.bodies(), surfaces);
     m_isImplicit = isImplicit;
-    m_surfaceContacts.updateParameters(m_bodies, m_frequency, m_isImplicit);
-    return m_surfaceContacts.energy(m_bodies, surfaces) - before;
-}
-
-void Contacts::addObject(const ContactObject& object)
-{
-    m_indexOf[object.ref.body][object.ref.object] = static_cast<std::uint32_t>(m_objects.size());
-    m_objects.push_back(object);
-}
-
-void Contacts::addSkin(std::uint32_t body)
-{
-    const Aggregate& aggregate = m_bodies[body].connections->aggregate();
-    const double a = aggregate.lattice.spacing;
-    const auto isDeep = [&](ObjectIndex i) { return aggregate.depth[i] >= smallestRadius * belowLayer * a; };
-    const auto isThin = [&](ObjectIndex i) { // no deeper object around
-        for (const Lattice::Node& step : Lattice::directions)
-            for (const std::int32_t way : {-1, 1}) {
-                Lattice::Node node = aggregate.lattice.nodes[i];
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    node[axis] += way * step[axis];
-                if (const ObjectIndex other = aggregate.lattice.find(node); other < aggregate.size() && isDeep(other))
-                    return false;
-            }
-        return true;
-    };
-    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
-        const double depth = aggregate.depth[i];
-        if (depth >= largestRadius * belowLayer * a)
-            continue;
-        ContactObject object{.ref = {body, i}, .parameters = {}};
-        object.radius = isDeep(i) ? depth : isThin(i) ? smallestRadius * a : 0;
-        addObject(object);
-    }
-}
-
-/// The end of a broken connection: from now on it may touch things on its own.
-void Contacts::loosen(std::uint32_t body, ObjectIndex object)
-{
-    const double a = m_bodies[body].connections->aggregate().lattice.spacing;
-    if (m_indexOf[body][object] == none)
-        addObject({.ref = {body, object}, .parameters = {}});
-    ContactObject& contact = m_objects[m_indexOf[body][object]];
-    contact.isCut = true;
-    contact.radius = smallestRadius * a;
-}
-
-/// Objects within two nodes of each other with no way of at most two connections between them face each other across a
-/// slit: they may touch.
-void Contacts::findSlits(std::uint32_t body)
-{
-    if (m_bodies[body].kind != BodyKind::deformable)
-        return;
-    const Lattice& lattice = m_bodies[body].connections->aggregate().lattice;
-    std::vector<std::uint8_t> facing(m_objects.size(), 0);
-    forEachBlock(m_objects.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const ContactObject& object = m_objects[i];
-            if (object.ref.body != body || object.radius == 0)
-                continue;
-            // Along the axes is enough: what faces across a slit of any slope has such a pair nearby.
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                for (const std::int32_t way : {-2, 2}) {
-                    Lattice::Node node = lattice.nodes[object.ref.object];
-                    node[axis] += way;
-                    const ObjectIndex other = lattice.find(node);
-                    if (other < lattice.size() && m_indexOf[body][other] != none &&
-                        !areNeighbors(object, m_objects[m_indexOf[body][other]]))
-                        facing[i] = 1;
-                }
-        }
-    });
-    for (std::size_t i = 0; i < m_objects.size(); ++i)
-        m_objects[i].facesSlit = m_objects[i].facesSlit || facing[i] != 0;
+    m_surfaceContacts.updateParameters(m_objects.bodies(), m_frequency, m_isImplicit);
+    return m_surfaceContacts.energy(m_objects.bodies(), surfaces) - before;
 }
 
 void Contacts::updateParameters(double frequency)
 {
     m_frequency = frequency > 0 ? frequency : m_frequency > 0 ? m_frequency : 1e4;
-    for (ContactObject& object : m_objects) {
-        const BodyView& body = m_bodies[object.ref.body];
-        const Material& material = materialOf(object.ref);
-        const bool deforms = body.kind == BodyKind::deformable;
-        const double own = body.state->mass[object.ref.object];
-        const double stiffness = deforms ? body.connections->contactStiffness(object.ref.object)
-                                         : std::min(body.connections->contactStiffness(object.ref.object),
-                                                    rigidShare * own * m_frequency * m_frequency);
-        object.parameters = {.stiffness = stiffness,
-                             .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
-                             .friction = material.friction,
-                             .frictionDelay = m_surfaceContacts.crossingTime(body, object.ref.body, material),
-                             .largestOverlap = largestOverlapShare * spacingOf(object.ref)};
-    }
-    m_surfaceContacts.updateParameters(m_bodies, m_frequency, m_isImplicit);
-    m_valid = false;
+    m_objects.updateParameters(m_surfaceContacts, m_frequency);
+    m_surfaceContacts.updateParameters(m_objects.bodies(), m_frequency, m_isImplicit);
+    m_listing.invalidate();
 }
 
 void Contacts::setKind(std::uint32_t body, BodyKind kind)
 {
-    m_bodies[body].kind = kind;
-    findSlits(body);
+    m_objects.setKind(body, kind);
+    m_objects.findSlits(body);
     updateParameters(0);
 }
 
-ContactParameters Contacts::between(const ContactObject& a, const ContactObject& b) const
+void Contacts::glueTouching()
 {
-    ContactParameters parameters = combine(a.parameters, b.parameters);
-    parameters.stiffness *= pairShare;
-    parameters.damping *= std::sqrt(pairShare);
-    for (const ContactObject* object : {&a, &b})
-        if (m_bodies[object->ref.body].kind == BodyKind::glue)
-            parameters.friction = object->parameters.friction;
-    return parameters;
+    m_joining.makeNew(m_objects, m_pairs, gluedJoints(m_objects));
+    m_listing.invalidate();
 }
 
-bool Contacts::areNeighbors(const ContactObject& a, const ContactObject& b) const
-{
-    const StructuralConnections& connections = *m_bodies[a.ref.body].connections;
-    std::array<ObjectIndex, 2 * Lattice::directionCount> around{};
-    std::size_t count = 0;
-    connections.forEachConnection(a.ref.object,
-                                  [&](ObjectIndex neighbor, const ConnectionId&) { around[count++] = neighbor; });
-    const auto isAround = [&](ObjectIndex object) {
-        return std::find(around.begin(), around.begin() + count, object) != around.begin() + count;
-    };
-    bool near = isAround(b.ref.object);
-    connections.forEachConnection(
-        b.ref.object, [&](ObjectIndex neighbor, const ConnectionId&) { near = near || isAround(neighbor); });
-    return near;
-}
-
-double Contacts::lengthOf(const ContactPair& pair) const
-{
-    return (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
-}
-
-/// What was kept is forgotten once two are as far apart as contacts are. @return whether there was any
-bool Contacts::forgetThoseApart()
-{
-    return std::erase_if(m_keptDistances, [&](const ContactPair& pair) {
-               return lengthOf(pair) >= m_objects[pair.objects.first].radius + m_objects[pair.objects.second].radius;
-           }) > 0;
-}
-
-/// Pairs that overlap now get a nominal length that leaves their force as it is: that of the contact they had, else their
-/// distance.
+/// Pairs that overlap now get a nominal length that leaves their force as it is: that of the contact they had, else
+/// their distance.
 void Contacts::keepDistances()
 {
-    std::vector<ContactPair> overlapping = findPairs(*m_vicinity, 0);
+    std::vector<ContactPair> overlapping = findPairs(m_objects, joints(), *m_vicinity, 0);
     m_statistics = m_vicinity->statistics();
     for (ContactPair& pair : overlapping) {
-        const double distance = lengthOf(pair);
+        const double distance = m_objects.distance(pair.objects);
         const auto known = findPair(m_pairs, pair.objects);
         const bool touched = known != m_pairs.end() && distance < known->nominalLength;
         pair.nominalLength = touched ? known->nominalLength : distance;
     }
-    forgetThoseApart();
-    std::vector<ContactPair> all;
-    std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
-                   std::back_inserter(all),
-                   [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
-    m_keptDistances = std::move(all);
+    m_kept.forgetThoseApart(m_objects);
+    m_kept.keep(overlapping);
 }
 
 void Contacts::keepDistancesOf(std::uint32_t body)
 {
-    std::vector<ContactPair> overlapping = findPairs(*m_vicinity, 0);
+    std::vector<ContactPair> overlapping = findPairs(m_objects, joints(), *m_vicinity, 0);
     std::erase_if(overlapping, [&](const ContactPair& pair) {
         return m_objects[pair.objects.first].ref.body != body && m_objects[pair.objects.second].ref.body != body;
     });
     for (ContactPair& pair : overlapping)
-        pair.nominalLength = lengthOf(pair);
-    std::vector<ContactPair> all;
-    std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
-                   std::back_inserter(all),
-                   [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
-    m_keptDistances = std::move(all);
+        pair.nominalLength = m_objects.distance(pair.objects);
+    m_kept.keep(overlapping);
 }
 
 void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
 {
     bool any = false;
-    for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        const std::vector<BrokenConnection>& broken = m_bodies[b].connections->changes().broken;
+    for (std::uint32_t b = 0; b < m_objects.bodies().size(); ++b) {
+        const StructuralConnections& connections = *m_objects.bodies()[b].connections;
+        const std::vector<BrokenConnection>& broken = connections.changes().broken;
         if (m_brokenSeen[b] < broken.size())
-            m_released += m_surfaceContacts.connectionsBroke(m_bodies, surfaces, b, m_brokenSeen[b]);
+            m_released += m_surfaceContacts.connectionsBroke(m_objects.bodies(), surfaces, b, m_brokenSeen[b]);
         for (; m_brokenSeen[b] < broken.size(); ++m_brokenSeen[b]) {
-            const ConnectionId& connection = broken[m_brokenSeen[b]];
-            for (const ObjectIndex end : m_bodies[b].connections->endsOf(connection))
-                loosen(b, end);
+            for (const ObjectIndex end : connections.endsOf(broken[m_brokenSeen[b]]))
+                m_objects.loosen({b, end});
             any = true;
         }
     }
@@ -268,6 +95,39 @@ void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
     keepDistances();
 }
 
+void Contacts::listPairs(std::span<const RigidSurface> surfaces)
+{
+    connectionsBroke(surfaces); // or pairs that may touch since then would begin with an overlap
+    std::vector<ContactPair> before = std::move(m_pairs);
+    m_pairs = findPairs(m_objects, joints(), *m_vicinity, m_listing.reach());
+    m_statistics = m_vicinity->statistics();
+    m_kept.forgetThoseApart(m_objects);
+    m_kept.giveTo(m_pairs, m_objects);
+    auto old = before.begin();
+    for (ContactPair& pair : m_pairs) { // all lists are sorted
+        while (old != before.end() && old->objects < pair.objects)
+            ++old;
+        if (old != before.end() && old->objects == pair.objects) {
+            pair.pressed = old->pressed;
+            pair.friction = old->friction;
+        }
+    }
+    m_listing.listedPairs(m_objects);
+}
+
+void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel)
+{
+    m_listing.move(travel, surfaceTravel);
+    if (m_listing.arePairsDue(m_objects, m_kept))
+        listPairs(surfaces);
+    if (m_listing.areSurfacesDue(surfaces.size())) {
+        m_surfaceContacts.list(m_objects.bodies(), surfaces, m_listing.reach());
+        m_edges.list(m_objects.bodies(), surfaces, m_listing.reach());
+        m_listing.listedSurfaces(surfaces.size());
+    }
+    m_listing.end();
+}
+
 void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfaces, const ContactStep& step,
                          Report& report)
 {
@@ -275,8 +135,8 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
         return;
     const ContactObject& first = m_objects[pair.objects.first];
     const ContactObject& second = m_objects[pair.objects.second];
-    ObjectState& a = stateOf(first);
-    ObjectState& b = stateOf(second);
+    ObjectState& a = m_objects.stateOf(first);
+    ObjectState& b = m_objects.stateOf(second);
     const Vec3 between = a.position.at(first.ref.object) - b.position.at(second.ref.object);
     const double squared = between.squaredNorm();
     if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
@@ -294,8 +154,8 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
         if (step.remembers())
             pair.friction = {};
-        if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
-            const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
+        if (!step.isTrial && m_joining.healIfPressed(pair, m_objects, state, step.duration)) {
+            const double stretch = distance - m_joining.joints().find(first.ref, second.ref)->nominalLength;
             report.plastic += 0.5 * pair.parameters.stiffness * stretch * stretch;
             report.energy -= 0.5 * pair.parameters.stiffness * stretch * stretch;
         }
@@ -316,7 +176,7 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
     ++report.count;
     report.steepness = std::max(report.steepness, result.steepness);
     for (const ObjectRef& object : {first.ref, second.ref})
-        m_crowd.add(m_bodies[object.body], object.body, object.object, 2 * pair.parameters.stiffness);
+        m_crowd.add(m_objects.bodies()[object.body], object.body, object.object, 2 * pair.parameters.stiffness);
     if (step.isTrial) {
         report.tangents.push_back({.first = first.ref,
                                    .second = second.ref,
@@ -325,15 +185,77 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
                                    .resistance = result.resistance});
         return;
     }
-    if (isToolBetween(pair, surfaces)) {
+    if (isToolBetween(pair, m_objects, surfaces)) {
         pair.pressed = 0;
         return;
     }
-    joinIfSticky(pair, distance, result.energy);
-    if (healIfPressed(pair, state, step.duration)) { // what was pressed in stays: the joint begins without stress
+    m_joining.joinIfSticky(pair, m_objects, distance, result.energy);
+    // What was pressed in stays: the joint begins without stress.
+    if (m_joining.healIfPressed(pair, m_objects, state, step.duration)) {
         report.energy -= result.energy;
         report.plastic += result.energy;
     }
+}
+
+Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)
+{
+    const std::vector<BodyView>& bodies = m_objects.bodies();
+    Report report;
+    report.loads.resize(surfaces.size());
+    if (!joints().all().empty()) {
+        std::vector<ObjectState*> states;
+        for (const BodyView& body : bodies)
+            states.push_back(body.state);
+        const Joints::Report joined = m_joining.joints().computeForces(states, step);
+        report.energy += joined.energy;
+        report.jointFrictionPower += joined.frictionPower;
+        report.plastic += joined.plastic;
+        report.fracture += joined.fracture;
+        report.tangents = joined.tangents;
+        if (joined.ended > 0)
+            for (ContactPair& pair : m_pairs)
+                if (pair.joined)
+                    noteJoint(pair, m_objects, joints());
+    }
+    for (ContactPair& pair : m_pairs)
+        pushApart(pair, surfaces, step, report);
+    m_surfaceContacts.computeForces(bodies, surfaces, step, m_crowd, report);
+    if (!step.isImplicit() && !step.isTrial)
+        m_edges.begin(bodies, surfaces, step.duration);
+    m_edges.computeForces(bodies, surfaces, step, m_crowd, report);
+    m_joining.makeNew(m_objects, m_pairs);
+    report.crowding = m_crowd.take(bodies);
+    return report;
+}
+
+std::vector<std::vector<Vec3>> Contacts::pressingForces(std::span<const RigidSurface> surfaces,
+                                                        const ContactStep& step) const
+{
+    std::vector<std::vector<Vec3>> forces;
+    for (const BodyView& body : m_objects.bodies())
+        forces.emplace_back(body.connections->aggregate().size(), Vec3::Zero());
+    const auto add = [&](const ContactObject& object, const Vec3& force) {
+        forces[object.ref.body][object.ref.object] += force;
+    };
+
+    // Lists of its own: those of the steps stay as they are, and may not be there, as after going to a moment.
+    const std::unique_ptr<Vicinity> vicinity = makeVicinity(VicinityMethod::uniformGrid);
+    std::vector<ContactPair> pairs = findPairs(m_objects, joints(), *vicinity, 0);
+    m_kept.giveTo(pairs, m_objects);
+    for (const ContactPair& pair : pairs) {
+        const ContactObject& first = m_objects[pair.objects.first];
+        const ContactObject& second = m_objects[pair.objects.second];
+        const Vec3 between = m_objects.placeOf(first) - m_objects.placeOf(second);
+        const double distance = between.norm();
+        if (pair.joined || pair.healed || distance >= pair.nominalLength || distance == 0)
+            continue;
+        const ContactState state{.overlap = pair.nominalLength - distance, .normal = between / distance};
+        const Vec3 force = contactForce(state, pair.parameters, step).spring;
+        add(first, force);
+        add(second, -force);
+    }
+    m_surfaceContacts.addPressing(m_objects.bodies(), surfaces, forces);
+    return forces;
 }
 
 bool Contacts::isWaiting() const
@@ -342,49 +264,21 @@ bool Contacts::isWaiting() const
            std::any_of(m_pairs.begin(), m_pairs.end(), [](const ContactPair& pair) { return pair.pressed > 0; });
 }
 
-Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)
-{
-    Report report;
-    report.loads.resize(surfaces.size());
-    if (!m_joints.all().empty()) {
-        std::vector<ObjectState*> states;
-        for (const BodyView& body : m_bodies)
-            states.push_back(body.state);
-        const Joints::Report joints = m_joints.computeForces(states, step);
-        report.energy += joints.energy;
-        report.jointFrictionPower += joints.frictionPower;
-        report.plastic += joints.plastic;
-        report.fracture += joints.fracture;
-        report.tangents = joints.tangents;
-        if (joints.ended > 0)
-            for (ContactPair& pair : m_pairs)
-                if (pair.joined)
-                    noteJoint(pair);
-    }
-    for (ContactPair& pair : m_pairs)
-        pushApart(pair, surfaces, step, report);
-    m_surfaceContacts.computeForces(m_bodies, surfaces, step, m_crowd, report);
-    if (!step.isImplicit() && !step.isTrial)
-        m_edges.begin(m_bodies, surfaces, step.duration);
-    m_edges.computeForces(m_bodies, surfaces, step, m_crowd, report);
-    makeNewJoints();
-    report.crowding = m_crowd.take(m_bodies);
-    return report;
-}
-
 void Contacts::keepInside(std::span<const RigidSurface> surfaces)
 {
     updateVicinity(surfaces, 0, 0);
-    m_surfaceContacts.keepInside(m_bodies, surfaces);
+    m_surfaceContacts.keepInside(m_objects.bodies(), surfaces);
 }
 
 std::vector<double> Contacts::addedStiffness(std::uint32_t body, double crowding) const
 {
-    const StructuralConnections& connections = *m_bodies[body].connections;
+    const StructuralConnections& connections = *m_objects.bodies()[body].connections;
     std::vector<double> added(connections.aggregate().size());
-    for (ObjectIndex i = 0; i < added.size(); ++i)
-        added[i] = (m_indexOf[body][i] != none ? std::max(1.0, crowding) : 1) * connections.contactStiffness(i);
-    m_joints.addStiffness(body, added);
+    for (ObjectIndex i = 0; i < added.size(); ++i) {
+        const bool mayTouch = m_objects.numberOf({body, i}) != ContactObjects::none;
+        added[i] = (mayTouch ? std::max(1.0, crowding) : 1) * connections.contactStiffness(i);
+    }
+    joints().addStiffness(body, added);
     return added;
 }
 

@@ -1,14 +1,11 @@
 #pragma once
 
-#include "core/mechanics/contact_body.h"
 #include "core/mechanics/contact_crowd.h"
-#include "core/mechanics/contact_law.h"
+#include "core/mechanics/contact_joining.h"
+#include "core/mechanics/contact_listing.h"
 #include "core/mechanics/contact_report.h"
 #include "core/mechanics/cutting_edges.h"
-#include "core/mechanics/joints.h"
-#include "core/mechanics/rigid_surface.h"
 #include "core/mechanics/surface_contacts.h"
-#include "core/vicinity/vicinity.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,20 +15,21 @@
 
 namespace knead {
 
-/// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
-/// the skin and rigid surfaces (SurfaceContacts). They exist while the ends touch.
+/// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and
+/// between the skin and rigid surfaces (SurfaceContacts). They exist while the ends touch.
 ///
-/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet. Objects feel each
-/// other when they are half to one and a half spacings deep: so large, spheres a spacing apart let nothing through between them.
-/// Sheets too thin to have such objects, and the ends of broken connections, take part with half a spacing.
+/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet.
+/// Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart let
+/// nothing through between them. Sheets too thin to have such objects, and the ends of broken connections, take part
+/// with half a spacing.
 ///
 /// Within a body, objects that are joined by one or two connections do not touch each other.
 ///
-/// Where both materials are adhesive, or one body is glue, touching makes a joint that holds up to the least adhesion. Where
-/// both heal, skins that stay pressed together for the longer healing time grow together.
+/// Where both materials are adhesive, or one body is glue, touching makes a joint that holds up to the least
+/// adhesion. Where both heal, skins that stay pressed together for the longer healing time grow together.
 ///
-/// Candidates are listed with a margin and listed again when something has moved that far. A body that nothing else is near
-/// may move and turn as a whole without that.
+/// Who does what: ContactObjects know which objects may touch and what they are like, ContactListing when candidates
+/// are due, ContactPair and KeptLengths what pairs remember, ContactJoining makes joints. Here they come together.
 class Contacts {
 public:
     using BodyView = ContactBody;
@@ -75,11 +73,11 @@ public:
 
     void setKind(std::uint32_t body, BodyKind kind);
 
-    /// Joins objects of bodies whose skins lie within half a spacing of each other now, as if they were one body: as stiff
-    /// as the materials, and as strong as the weaker one.
+    /// Joins bodies that touch as if they were one, see gluedJoints().
     void glueTouching();
 
-    /// Objects of a body are others: what they overlap with at once is where the old ones were, and keeps its distance.
+    /// Objects of a body are others: what they overlap with at once is where the old ones were, and keeps its
+    /// distance.
     void keepDistancesOf(std::uint32_t body);
 
     /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
@@ -88,18 +86,19 @@ public:
     /// Energy of contacts with surfaces that ended as their skin tore, since the last call [J].
     double takeReleased() { return std::exchange(m_released, 0.0); }
 
-    /// Lists candidates again when objects or surfaces have moved too far towards each other, or the surfaces are others.
+    /// Lists candidates again when objects or surfaces have moved too far towards each other, or the surfaces are
+    /// others.
     /// @param travel how far the fastest object may have moved since the last call [m]
     /// @param surfaceTravel the same for the surfaces [m]
     void updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel);
 
-    /// Steps of the implicit scheme bring together what is further apart, and explicit ones are shorter the stiffer the springs at
-    /// tools and the floor are: these are softer there.
+    /// Steps of the implicit scheme bring together what is further apart, and explicit ones are shorter the stiffer
+    /// the springs at tools and the floor are: these are softer there.
     /// @return change of the energy that those springs store [J]
     double setScheme(std::span<const RigidSurface> surfaces, bool isImplicit);
 
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
-    void invalidate() { m_valid = false; }
+    void invalidate() { m_listing.invalidate(); }
 
     /// Adds contact and joint forces to the states of the bodies; makes and ends joints, but not in a trial.
     Report computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step);
@@ -107,27 +106,28 @@ public:
     /// See SurfaceContacts::beginStep(). @pre updateVicinity() of these surfaces
     void beginStep(std::span<const RigidSurface> surfaces, double duration)
     {
-        m_surfaceContacts.beginStep(m_bodies, surfaces, duration);
-        m_edges.begin(m_bodies, surfaces, duration);
+        m_surfaceContacts.beginStep(m_objects.bodies(), surfaces, duration);
+        m_edges.begin(m_objects.bodies(), surfaces, duration);
     }
 
     /// The connections that knives went through in the step, with everything where it is after it. Per body
     std::vector<std::vector<BrokenConnection>> cuts(std::span<const RigidSurface> surfaces) const
     {
-        return m_edges.cuts(m_bodies, surfaces);
+        return m_edges.cuts(m_objects.bodies(), surfaces);
     }
 
-    /// Tools and the floor were just put somewhere: what is in material already begins without force, see SurfaceContacts.
+    /// Tools and the floor were just put somewhere: what is in material already begins without force, see
+    /// SurfaceContacts.
     void keepInside(std::span<const RigidSurface> surfaces);
 
     /// How far the skin of a body is in a surface [m]; negative: not at all.
     double deepest(std::uint32_t body, const RigidSurface& surface) const
     {
-        return m_surfaceContacts.deepest(m_bodies[body], body, surface);
+        return m_surfaceContacts.deepest(m_objects.bodies()[body], body, surface);
     }
 
-    /// What presses on the objects now: the springs of contacts with surfaces and with other objects, without dampers,
-    /// friction and joints. Changes nothing. Per body and object [N]
+    /// What presses on the objects now: the springs of contacts with surfaces and with other objects, without
+    /// dampers, friction and joints. Changes nothing. Per body and object [N]
     std::vector<std::vector<Vec3>> pressingForces(std::span<const RigidSurface> surfaces,
                                                   const ContactStep& step) const;
 
@@ -135,98 +135,38 @@ public:
     /// @param crowding contacts at a time that one object may have
     std::vector<double> addedStiffness(std::uint32_t body, double crowding) const;
 
-    /// Whether time alone changes something: skins that are pressed together heal, material is pushed out of a tool that was put there.
+    /// Whether time alone changes something: skins that are pressed together heal, material is pushed out of a tool
+    /// that was put there.
     bool isWaiting() const;
 
     /// Whether material is being pushed out of a tool that was put into it.
     bool isPushingOut() const { return m_surfaceContacts.isWaiting(); }
 
-    const Joints& joints() const { return m_joints; }
+    const Joints& joints() const { return m_joining.joints(); }
     const VicinityStatistics& statistics() const { return m_statistics; } ///< of the last listing
-    std::size_t listings() const { return m_listings; }                   ///< of pairs, so far
+    std::size_t listings() const { return m_listing.count(); }            ///< of pairs, so far
 
 private:
-    struct ContactObject {
-        ObjectRef ref;
-        double radius = 0;      ///< against other objects [m]; 0: does not meet them
-        bool isCut = false;     ///< has lost connections
-        bool facesSlit = false; ///< faces its own body across a slit
-        ContactParameters parameters;
-    };
-    struct ContactPair {
-        VicinityPair objects;
-        double nominalLength = 0; ///< [m]
-        double pressed = 0;       ///< for how long now [s]
-        bool joined = false;      ///< by a joint, which then acts in its place
-        bool healed = false;      ///< and that joint is a healed one
-        FrictionMemory friction;
-        ContactParameters parameters;
-    };
-
-    void addSkins();
-    void addSkin(std::uint32_t body);
-    void addObject(const ContactObject& object);
-    void loosen(std::uint32_t body, ObjectIndex object);
-    void findSlits(std::uint32_t body);
     void listPairs(std::span<const RigidSurface> surfaces);
-    double travelTowardsOthers() const;
-    std::vector<ContactPair> findPairs(Vicinity& vicinity, double margin) const;
-    void takeOverLengths(std::vector<ContactPair>& pairs) const;
-    bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
-    Vec3 outwardOf(const ContactObject& object) const;
-    bool isOpen(const ContactObject& object) const;
-    bool mayBeInContact(std::uint32_t first, std::uint32_t second, const std::vector<Vec3>& outward) const;
-    bool forgetThoseApart();
     void keepDistances();
-    double lengthOf(const ContactPair& pair) const;
     void addHolds(const std::vector<Memory::Held>& holds);
     std::vector<ContactPair> pairsOf(const std::vector<Memory::Pair>& remembered) const;
-    ContactParameters between(const ContactObject& a, const ContactObject& b) const;
-    ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
-    Vec3 placeOf(const ContactObject& object) const { return stateOf(object).position.at(object.ref.object); }
-    const Material& materialOf(const ObjectRef& object) const
-    {
-        return m_bodies[object.body].materials->of(object.object);
-    }
-    double spacingOf(const ObjectRef& object) const
-    {
-        return m_bodies[object.body].connections->aggregate().lattice.spacing;
-    }
     void pushApart(ContactPair& pair, std::span<const RigidSurface> surfaces, const ContactStep& step, Report& report);
-    bool isToolBetween(const ContactPair& pair, std::span<const RigidSurface> surfaces) const;
-    void joinIfSticky(ContactPair& pair, double distance, double energy);
-    double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
-    bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
-    void makeNewJoints();
-    void noteJoint(ContactPair& pair) const;
-    Joint healed(const ObjectRef& a, const ObjectRef& b) const;
-    bool touches(const ObjectRef& object, std::uint32_t other) const;
-    void glueTo(const ObjectRef& object, std::uint32_t other);
 
-    std::vector<BodyView> m_bodies;
-    std::vector<ContactObject> m_objects;
-    std::vector<std::vector<std::uint32_t>> m_indexOf; ///< per body and object: place in m_objects, or none
-    std::vector<std::size_t> m_brokenSeen;             ///< per body: broken connections taken into account
-    double m_released = 0;                             ///< see takeReleased() [J]
-    std::unique_ptr<Vicinity> m_vicinity;
-    VicinityStatistics m_statistics;
-    Joints m_joints;
-    std::vector<Joint> m_newJoints;
-    std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
-    std::vector<ContactPair> m_pairs;
+    ContactObjects m_objects;
+    std::vector<ContactPair> m_pairs; ///< that may touch, sorted
+    KeptLengths m_kept;
+    ContactJoining m_joining;
     SurfaceContacts m_surfaceContacts;
     CuttingEdges m_edges;
-    std::size_t m_surfaceCount = 0; ///< when those were listed
     ContactCrowd m_crowd;
-    double m_ahead = 0; ///< candidates are listed so much earlier than they can touch [m]
+    ContactListing m_listing;
+    std::unique_ptr<Vicinity> m_vicinity;
+    VicinityStatistics m_statistics;
+    std::vector<std::size_t> m_brokenSeen; ///< per body: broken connections taken into account
+    double m_released = 0;                 ///< see takeReleased() [J]
+    double m_frequency = 0;                ///< see updateParameters() [rad/s]
     bool m_isImplicit = true;
-    double m_margin = 0; ///< [m]
-    double m_frequency = 0;
-    std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]
-    double m_travel = 0;           ///< of objects towards each other since then, at most [m]
-    double m_travelToSurfaces = 0; ///< of objects and surfaces since those were listed, at most [m]
-    std::size_t m_listings = 0;
-    bool m_valid = false;
 };
 
 } // namespace knead

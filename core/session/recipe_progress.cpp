@@ -19,8 +19,8 @@ bool isAt(const Simulation& simulation, double time)
 bool wasDue(const RecipeEvent& event, const Moment& moment)
 {
     if (event.step)
-        return *event.step < moment.step;
-    return moment.step > 0 && moment.time - 0.5 * moment.timeStep >= event.time;
+        return *event.step < moment.steps.count;
+    return moment.steps.count > 0 && moment.steps.time - 0.5 * moment.steps.length >= event.time;
 }
 
 /// Whether it is of objects that there are only when the event is due.

@@ -28,7 +28,7 @@ using MomentKey = std::tuple<std::uint64_t, std::uint64_t, std::size_t, std::siz
 
 MomentKey keyOf(const Moment& moment, std::uint64_t hash)
 {
-    return {hash, moment.step, moment.tools.size(), moment.fixtures.size()};
+    return {hash, moment.steps.count, moment.tools.size(), moment.fixtures.size()};
 }
 
 /// How far it was where gestures ended. Any thread.

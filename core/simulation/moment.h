@@ -3,9 +3,7 @@
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
-#include "core/simulation/pace.h"
-#include "core/simulation/scene.h"
-#include "core/simulation/snapshot.h"
+#include "core/simulation/run_groups.h"
 
 #include <cstdint>
 #include <memory>
@@ -92,32 +90,12 @@ struct Moment {
     Contacts::Memory contacts;
     double contactEnergy = 0;     ///< [J]
     std::size_t contactCount = 0; ///< contacts that touched in the last step
-    Vec3 gravity = Vec3::Zero();
-    std::optional<double> floorHeight;
-    double floorFriction = 0;
-    double floorAdhesion = 0; ///< [Pa]
-    Integrator wantedIntegrator = Integrator::semiImplicitEuler;
-    Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
-    Message integratorReason;
-    int solverIterations = 0;
-    Pace pace = Pace::full;
-
-    std::uint64_t step = 0;
-    double time = 0;
-    double timeStep = 0;
-    double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
-    double stableStep = 0; ///< [s]
-    double crowding = 1;
-    std::uint64_t unsolvedSteps = 0;
-    std::uint32_t unsolvedInRow = 0;
-    bool isPlacedInside = false; ///< see Simulation::State
-    double placedEnergy = 0;     ///< the same [J]
-    double addedMass = 0;        ///< by mass scaling [kg]
-    EnergyLedger energy;         ///< what came in and went out
-    double startEnergy = 0;
-    double unknownEnergy = 0; ///< see Simulation::State [J]
-    bool wasSquashed = false;
-    Health health;
+    Surroundings around;
+    Scheme scheme;
+    StepTimes steps;
+    Accounts accounts;
+    RunWatch watch;
+    double addedMass = 0; ///< by mass scaling [kg]
 };
 
 } // namespace knead

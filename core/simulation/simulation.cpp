@@ -3,7 +3,7 @@
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
 #include "core/integration/shape_damping.h"
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
 
@@ -16,21 +16,18 @@ namespace knead {
 
 namespace {
 
-// Shape damping is slow by nature; applying it this seldom makes its cost disappear [steps].
-constexpr std::uint64_t shapeDampingInterval = 16;
-// Plastic flow and fracture go with the time of the material, which is slower than that of the step [steps].
-constexpr std::uint64_t flowInterval = 4;
-constexpr std::uint64_t breakingInterval = 4;
-// Annealing and recovery are slower still [steps].
-constexpr std::uint64_t annealingInterval = 16;
-// Ends of broken connections may touch things from here on [steps].
-constexpr std::uint64_t touchingInterval = 16;
-// Where something stiffens, nothing goes further than this in an explicit step [spacings], unless steps would be shorter than this
-// share of the stable one.
-constexpr double farthestInStep = 0.05;
-constexpr double shortestShare = 1.0 / 32;
-// A tool that goes further than this in an explicit step, short as it is, has jumped, as key frames may have it [spacings].
-constexpr double jump = 0.5;
+constexpr const ExplicitSettings& explicitSteps = solverSettings.explicitSteps;
+
+/// What the flow of this step took out of the motion [J]. Where the stress of an object has grown by ds since the last flow, in
+/// n = flowInterval equal parts, the scheme has worked with s - ds + (1 + ... + n - 1) ds / n^2 in the mean, and not with the
+/// s - ds / 2 that the stored energy loses: less by ds / (2 n), an n-th of what a flow in every step would be off. Objects that flow
+/// now and then are off by less: a block that is pressed evenly by all of that, one that a ball is pressed into by 0.43 of it. Half is
+/// taken, which leaves the ledger below .6 percent in all.
+double workOfFlow(const StructuralConnections& connections)
+{
+    const double stored = connections.flowedEnergy();
+    return stored - 0.5 * (stored - connections.flowWork()) / static_cast<double>(explicitSteps.flowInterval);
+}
 
 } // namespace
 
@@ -46,12 +43,12 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
                            .angularVelocity = tool->angularVelocity,
                            .friction = tool->manipulator.friction,
                            .adhesion = tool->manipulator.adhesion});
-    if (floorHeight)
+    if (around.floorHeight)
         all.push_back({.id = RigidSurface::floorId,
                        .isFloor = true,
-                       .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()},
-                       .friction = floorFriction,
-                       .adhesion = floorAdhesion});
+                       .pose = {Vec3(0, 0, *around.floorHeight), Quaternion::Identity()},
+                       .friction = around.floorFriction,
+                       .adhesion = around.floorAdhesion});
     return all;
 }
 
@@ -60,35 +57,36 @@ void Simulation::State::turnTool(ToolRun& tool, const Quaternion& next) const
 {
     Manipulator& manipulator = tool.manipulator;
     const Eigen::AngleAxisd turn(next * manipulator.pose.rotation.conjugate());
-    tool.angularVelocity = turn.axis() * (turn.angle() / timeStep);
+    tool.angularVelocity = turn.axis() * (turn.angle() / steps.length);
     manipulator.pose.rotation = next;
     if (!manipulator.rolls())
         return;
     const Vec3 rate = rollingRate(manipulator, tool.velocity, tool.force);
     tool.angularVelocity += rate;
-    if (const double angle = rate.norm() * timeStep; angle > 0)
+    if (const double angle = rate.norm() * steps.length; angle > 0)
         manipulator.pose.rotation = (Quaternion(Eigen::AngleAxisd(angle, rate.normalized())) * next).normalized();
 }
 
 /// As far as the forces of the last step let them.
 void Simulation::State::moveManipulators()
 {
-    surfaceTravel = 0;
+    travel.ofSurfaces = 0;
     const double spacing = smallestSpacing(bodies);
     for (auto& tool : tools) {
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        const Pose next =
-            yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep, !isImplicit());
-        tool->velocity = (next.position - manipulator.pose.position) / timeStep;
+        const Pose next = yieldTo(tool->force, manipulator, advance(manipulator, steps.time, steps.length),
+                                  steps.length, !isImplicit());
+        tool->velocity = (next.position - manipulator.pose.position) / steps.length;
         turnTool(*tool, next.rotation);
         manipulator.pose.position = next.position;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
-        surfaceTravel = std::max(surfaceTravel, speed * timeStep);
-        if (!isImplicit() && speed * timeStep > jump * spacing) { // it was put there, and hits nothing
+        travel.ofSurfaces = std::max(travel.ofSurfaces, speed * steps.length);
+        const bool hasJumped = !isImplicit() && speed * steps.length > explicitSteps.jump * spacing;
+        if (hasJumped) { // it was put there, and hits nothing
             tool->velocity = tool->angularVelocity = Vec3::Zero();
-            isPlacedInside = true;
+            watch.isPlacedInside = true;
         }
     }
     turnGrips();
@@ -96,7 +94,7 @@ void Simulation::State::moveManipulators()
 
 void Simulation::State::updateVicinity()
 {
-    contacts->updateVicinity(surfaces(), largestTravel, surfaceTravel);
+    contacts->updateVicinity(surfaces(), travel.largest, travel.ofSurfaces);
     bookTornSkin();
 }
 
@@ -111,7 +109,7 @@ void Simulation::State::bookTornSkin()
 {
     const double released = contacts->takeReleased();
     contactReport.energy -= released;
-    energy.fracture += released;
+    accounts.energy.fracture += released;
 }
 
 /// Those that bear too much at present. @return how many they were
@@ -121,67 +119,58 @@ std::size_t Simulation::State::breakConnections()
     for (auto& run : runs) {
         if (!run->deforms() || !run->connections.breaks())
             continue;
-        const auto report = run->connections.breakOverloaded(run->state, isImplicit() ? 0 : timeStep);
-        energy.fracture += report.released;
+        const auto report = run->connections.breakOverloaded(run->state, isImplicit() ? 0 : steps.length);
+        accounts.energy.fracture += report.released;
         broken += report.broken;
     }
-    newlyBroken = newlyBroken || broken > 0;
+    cracks.areNew = cracks.areNew || broken > 0;
     return broken;
 }
 
 void Simulation::State::changeConnections()
 {
-    if (step % every(breakingInterval) == 0)
+    if (steps.count % every(explicitSteps.breakingInterval) == 0)
         breakConnections();
-    if (step % every(annealingInterval) == 0)
+    if (steps.count % every(explicitSteps.annealingInterval) == 0)
         anneal();
-    if (newlyBroken && step % every(touchingInterval) == 0) {
+    if (cracks.areNew && steps.count % every(explicitSteps.touchingInterval) == 0) {
         touchWhereBroken();
-        newlyBroken = false;
+        cracks.areNew = false;
     }
 }
 
 void Simulation::State::anneal()
 {
-    const double dt = timeStep * static_cast<double>(every(annealingInterval));
+    const double dt = steps.length * static_cast<double>(every(explicitSteps.annealingInterval));
     for (auto& run : runs)
         if (run->deforms() && run->connections.yields() &&
             run->materials.largest([](const Material& material) { return material.healingTime; }) > 0)
             run->connections.recover(dt);
     for (const Annealing& annealing : annealings) {
         BodyRun& run = *runs[annealing.body];
-        const double share = time >= annealing.end ? 1 : -std::expm1(-annealing.rate * dt);
-        energy.plastic += run.connections.renormalize(run.state, annealing.marks, share);
+        const double share = steps.time >= annealing.end ? 1 : -std::expm1(-annealing.rate * dt);
+        accounts.energy.plastic += run.connections.renormalize(run.state, annealing.marks, share);
     }
-    std::erase_if(annealings, [&](const Annealing& annealing) { return time >= annealing.end; });
-}
-
-/// What the flow of this step took out of the motion [J]. Where the stress of an object has grown by ds since the last flow, in
-/// n = flowInterval equal parts, the scheme has worked with s - ds + (1 + ... + n - 1) ds / n^2 in the mean, and not with the
-/// s - ds / 2 that the stored energy loses: less by ds / (2 n), an n-th of what a flow in every step would be off. Objects that flow
-/// now and then are off by less: a block that is pressed evenly by all of that, one that a ball is pressed into by 0.43 of it. Half is
-/// taken, which leaves the ledger below .6 percent in all.
-double Simulation::State::workOfFlow(const StructuralConnections& connections)
-{
-    const double stored = connections.flowedEnergy();
-    return stored - 0.5 * (stored - connections.flowWork()) / static_cast<double>(flowInterval);
+    std::erase_if(annealings, [&](const Annealing& annealing) { return steps.time >= annealing.end; });
 }
 
 void Simulation::State::computeForces()
 {
-    const double flowTime = step % flowInterval == 0 ? static_cast<double>(flowInterval) * timeStep : 0;
+    const double flowTime = steps.count % explicitSteps.flowInterval == 0
+                                ? static_cast<double>(explicitSteps.flowInterval) * steps.length
+                                : 0;
     for (auto& run : runs) {
         if (run->deforms()) {
-            run->connections.computeForces(run->state, timeStep, flowTime);
-            energy.plastic += workOfFlow(run->connections);
+            run->connections.computeForces(run->state, steps.length, flowTime);
+            accounts.energy.plastic += workOfFlow(run->connections);
             run->connections.acceptFlow();
             continue;
         }
         run->state.force.setZero();
         run->state.damping.setZero();
     }
-    clock.end(Stage::connections);
-    contactReport = contacts->computeForces(surfaces(), {.duration = timeStep});
+    out.clock.end(Stage::connections);
+    contactReport = contacts->computeForces(surfaces(), {.duration = steps.length});
     bookContacts();
     bookLoadsBefore();
     loadFixtures();
@@ -190,18 +179,18 @@ void Simulation::State::computeForces()
 /// What contacts did in the step, to the ledger and to the tools.
 void Simulation::State::bookContacts()
 {
-    energy.viscous -= contactReport.brakingPower * timeStep;
-    energy.viscous += contactReport.jointFrictionPower * timeStep;
-    energy.friction -= contactReport.jointFrictionPower * timeStep;
-    energy.plastic += contactReport.plastic;
-    energy.fracture += contactReport.fracture;
+    accounts.energy.viscous -= contactReport.brakingPower * steps.length;
+    accounts.energy.viscous += contactReport.jointFrictionPower * steps.length;
+    accounts.energy.friction -= contactReport.jointFrictionPower * steps.length;
+    accounts.energy.plastic += contactReport.plastic;
+    accounts.energy.fracture += contactReport.fracture;
     bookPlaced(contactReport);
     std::size_t surface = 0;
     for (auto& tool : tools) {
         if (!tool)
             continue;
         const SurfaceLoad& load = contactReport.loads[surface++];
-        energy.toolWork += load.power * timeStep;
+        accounts.energy.toolWork += load.power * steps.length;
         tool->force = load.force;
         tool->torque = load.torque;
         tool->forceSum += load.force;
@@ -214,24 +203,24 @@ void Simulation::State::bookContacts()
 /// What the objects of a fixture lack for moving on evenly is what the fixture gives.
 void Simulation::State::loadFixtures()
 {
-    fixtureForces.assign(fixtures.size(), Vec3::Zero());
-    fixtureMoments.assign(fixtures.size(), Vec3::Zero());
-    for (FixtureId id = 0; id < fixtures.size(); ++id) {
-        if (!fixtures[id])
+    grips.forces.assign(grips.fixtures.size(), Vec3::Zero());
+    grips.moments.assign(grips.fixtures.size(), Vec3::Zero());
+    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
+        if (!grips.fixtures[id])
             continue;
-        const ObjectState& state = runs[fixtures[id]->body]->state;
+        const ObjectState& state = runs[grips.fixtures[id]->body]->state;
         const LaneVector<double>& weighed = state.weighedMass();
-        const Vec3& center = fixtureCenters[id];
-        for (const ObjectIndex object : fixtures[id]->objects) {
+        const Vec3& center = grips.centers[id];
+        for (const ObjectIndex object : grips.fixtures[id]->objects) {
             if (object >= state.size())
                 continue;
-            const Vec3 force = state.force.at(object) + state.damping.at(object) + weighed[object] * gravity;
+            const Vec3 force = state.force.at(object) + state.damping.at(object) + weighed[object] * around.gravity;
             const Vec3 place = state.position.at(object);
             const Vec3 felt = force - state.mass[object] * centripetal(id, place);
-            fixtureForces[id] += felt;
-            fixtureMoments[id] += (place - center).cross(felt);
+            grips.forces[id] += felt;
+            grips.moments[id] += (place - center).cross(felt);
             if (isMovedBy(id, object)) // a rigid body is not moved by any: its velocity is 0
-                energy.toolWork -= force.dot(state.velocity.at(object)) * timeStep;
+                accounts.energy.toolWork -= force.dot(state.velocity.at(object)) * steps.length;
         }
     }
 }
@@ -246,14 +235,14 @@ void Simulation::State::tellFrictionApart()
         const ObjectIndex i = friction.object.object;
         Vec3 velocity = run.state.velocity.at(i);
         if (!isImplicit() && run.deforms() && run.state.inverseMass[i] > 0)
-            velocity -= 0.5 * timeStep *
+            velocity -= 0.5 * steps.length *
                         (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) +
-                         run.state.gravityShare(i) * gravity);
-        (friction.cuts ? cut : lost) -= friction.force.dot(velocity - friction.velocity) * timeStep;
+                         run.state.gravityShare(i) * around.gravity);
+        (friction.cuts ? cut : lost) -= friction.force.dot(velocity - friction.velocity) * steps.length;
     }
-    energy.friction += lost;
-    energy.fracture += cut;
-    energy.viscous -= lost + cut;
+    accounts.energy.friction += lost;
+    accounts.energy.fracture += cut;
+    accounts.energy.viscous -= lost + cut;
 }
 
 /// Shape damping of a body over a duration [s]. @return energy taken out [J]
@@ -273,22 +262,23 @@ void Simulation::State::limitTravel(double speed)
         if (!tool)
             continue;
         const Manipulator& manipulator = tool->manipulator;
-        const Pose next = advance(manipulator, time, timeStep);
+        const Pose next = advance(manipulator, steps.time, steps.length);
         const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
         const double way = (next.position - manipulator.pose.position).norm() + turn * 0.5 * manipulator.size.norm();
-        speed = std::max(speed, way / timeStep);
+        speed = std::max(speed, way / steps.length);
     }
-    if (wantedTimeStep || !std::isfinite(speed) || speed <= 0)
+    if (chosen.timeStep || !std::isfinite(speed) || speed <= 0)
         return;
-    const double longest = timeStepShare * stableStep;
-    timeStep = std::min(timeStep, std::max(farthestInStep * smallestSpacing(bodies) / speed, shortestShare * longest));
+    const double longest = explicitSteps.timeStepShare * steps.stable;
+    steps.length = std::min(steps.length, std::max(explicitSteps.farthestInStep * smallestSpacing(bodies) / speed,
+                                                   explicitSteps.shortestShare * longest));
 }
 
 void Simulation::State::chooseNextStep(double speed)
 {
-    if (!wantedTimeStep)
-        timeStep = timeStepShare * stableStep;
-    const bool touches = floorHeight || contactReport.count > 0;
+    if (!chosen.timeStep)
+        steps.length = explicitSteps.timeStepShare * steps.stable;
+    const bool touches = around.floorHeight || contactReport.count > 0;
     const bool stiffens = std::any_of(runs.begin(), runs.end(), [](const auto& run) {
         return run->deforms() && run->connections.stiffensWhenSquashed();
     });
@@ -298,39 +288,40 @@ void Simulation::State::chooseNextStep(double speed)
 
 void Simulation::State::integrate()
 {
-    const bool leaps = integrator == Integrator::semiImplicitEuler;
-    const double change = leaps && lastStep > 0 ? 0.5 * (lastStep - timeStep) : 0;
+    const bool leaps = scheme.inUse == Integrator::semiImplicitEuler;
+    const double change = leaps && steps.last > 0 ? 0.5 * (steps.last - steps.length) : 0;
     double largestSpeed = 0;
     for (BodyId b = 0; b < runs.size(); ++b) {
         const auto& run = runs[b];
         if (change != 0 && run->rigid)
-            run->rigid->kick(run->state, gravity, change);
+            run->rigid->kick(run->state, around.gravity, change);
         else if (change != 0 && run->deforms())
-            kick(run->state, gravity, change);
+            kick(run->state, around.gravity, change);
         StepReport report;
         if (run->rigid) {
-            report.dampingWork = run->rigid->advance(run->state, gravity, timeStep);
+            report.dampingWork = run->rigid->advance(run->state, around.gravity, steps.length);
             report.largestSpeed = run->rigid->largestSpeed();
         } else if (run->deforms()) {
-            report = integrator == Integrator::forwardEuler ? forwardEuler(run->state, gravity, timeStep)
-                                                            : semiImplicitEuler(run->state, gravity, timeStep);
-            if (step % shapeDampingInterval == 0)
-                energy.viscous += brakeShape(b, timeStep * shapeDampingInterval);
+            report = scheme.inUse == Integrator::forwardEuler
+                         ? forwardEuler(run->state, around.gravity, steps.length)
+                         : semiImplicitEuler(run->state, around.gravity, steps.length);
+            if (steps.count % explicitSteps.shapeDampingInterval == 0)
+                accounts.energy.viscous += brakeShape(b, steps.length * explicitSteps.shapeDampingInterval);
         }
         const bool isNumber = std::isfinite(report.largestSpeed);
         largestSpeed = isNumber ? std::max(largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();
-        energy.viscous -= report.dampingWork;
+        accounts.energy.viscous -= report.dampingWork;
     }
     tellFrictionApart();
     bookLoadsAfter();
-    endTurns();
-    largestTravel = largestSpeed * timeStep;
-    lastKick = timeStep + change;
-    lastStep = timeStep;
+    grips.endTurns(steps.length);
+    travel.largest = largestSpeed * steps.length;
+    travel.lastKick = steps.length + change;
+    steps.last = steps.length;
     chooseNextStep(largestSpeed);
-    unknownEnergy = 0;
-    time += timeStep;
-    ++step;
+    accounts.unknown = 0;
+    steps.time += steps.length;
+    ++steps.count;
 }
 
 Simulation::Simulation(Scene scene)
@@ -344,45 +335,45 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step()
 {
     State& state = *m_state;
-    state.clock.begin(state.step);
+    state.out.clock.begin(state.steps.count);
     state.applyCommands();
-    if (!state.health.ok)
+    if (!state.watch.health.ok)
         return;
     state.refillWhereBad();
     if (state.stepAtRest()) {
-        state.clock.end(Stage::motion);
+        state.out.clock.end(Stage::motion);
         return;
     }
     state.bookToolsInside();
     if (state.isImplicit()) {
-        state.clock.end(Stage::tools);
+        state.out.clock.end(Stage::tools);
         state.changeConnections();
-        state.clock.end(Stage::material);
+        state.out.clock.end(Stage::material);
         state.stepImplicitly();
         state.watchRest();
-        state.clock.end(Stage::connections);
+        state.out.clock.end(Stage::connections);
     } else {
         state.limitTravel(0);
         state.moveManipulators();
-        state.clock.end(Stage::tools);
+        state.out.clock.end(Stage::tools);
         state.updateVicinity();
         state.bookToolsInside(); // those that jumped
-        state.clock.end(Stage::vicinity);
+        state.out.clock.end(Stage::vicinity);
         state.changeConnections();
-        state.clock.end(Stage::material);
+        state.out.clock.end(Stage::material);
         state.computeForces();
-        state.clock.end(Stage::contacts);
+        state.out.clock.end(Stage::contacts);
         state.integrate();
-        state.clock.end(Stage::motion);
+        state.out.clock.end(Stage::motion);
     }
     state.cutWithKnives();
     state.checkHealth();
-    state.clock.end(Stage::checks);
+    state.out.clock.end(Stage::checks);
 }
 
 void Simulation::post(Command command)
 {
-    m_state->pending.push_back(std::move(command));
+    m_state->commands.pending.push_back(std::move(command));
 }
 void Simulation::applyCommands()
 {
@@ -403,15 +394,15 @@ void Simulation::goTo(MomentPointer moment)
 
 double Simulation::timeStep() const
 {
-    return m_state->timeStep;
+    return m_state->steps.length;
 }
 double Simulation::time() const
 {
-    return m_state->time;
+    return m_state->steps.time;
 }
 std::uint64_t Simulation::stepCount() const
 {
-    return m_state->step;
+    return m_state->steps.count;
 }
 const std::vector<Body>& Simulation::bodies() const
 {
@@ -427,19 +418,19 @@ std::size_t Simulation::components()
 }
 const Health& Simulation::health() const
 {
-    return m_state->health;
+    return m_state->watch.health;
 }
 const Message& Simulation::integratorReason() const
 {
-    return m_state->integratorReason;
+    return m_state->scheme.reason;
 }
 const std::vector<RecordedCommand>& Simulation::recording() const
 {
-    return m_state->recording;
+    return m_state->commands.recording;
 }
 std::vector<RecordedCommand> Simulation::takeRecording()
 {
-    return std::exchange(m_state->recording, {});
+    return std::exchange(m_state->commands.recording, {});
 }
 
 } // namespace knead

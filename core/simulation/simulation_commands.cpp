@@ -25,7 +25,7 @@ public:
             changed.setOwn(command.material);
         else
             changed.set(command.objects, command.material);
-        m_state.requireDamping(changed, m_state.integrator);
+        m_state.requireDamping(changed, m_state.scheme.inUse);
         keepingAccounts([&] {
             if (command.objects.empty()) {
                 run.materials.setOwn(command.material);
@@ -62,15 +62,15 @@ public:
             m_state.annealings.push_back({.body = command.body,
                                           .marks = std::move(marks),
                                           .rate = relaxationsPerAnnealing / command.duration,
-                                          .end = m_state.time + command.duration});
+                                          .end = m_state.steps.time + command.duration});
         else
-            m_state.energy.plastic += run.connections.renormalize(run.state, marks, 1);
+            m_state.accounts.energy.plastic += run.connections.renormalize(run.state, marks, 1);
     }
     void operator()(const SetGravity& command) const
     {
         if (!(command.gravity.norm() <= 1e4))
             throw Problem(Message("Scene", "Gravity must not be stronger than 10000 m/s^2."));
-        keepingAccounts([&] { m_state.gravity = command.gravity; });
+        keepingAccounts([&] { m_state.around.gravity = command.gravity; });
     }
     void operator()(const SetFloor& command) const
     {
@@ -80,9 +80,9 @@ public:
             throw Problem(Message("Scene", "The friction of the floor must lie between 0 and 2."));
         if (!(command.adhesion >= 0 && command.adhesion <= 1e9))
             throw Problem(Message("Scene", "The adhesion of the floor must lie between 0 and 1e9 Pa."));
-        m_state.floorHeight = command.height;
-        m_state.floorFriction = command.friction;
-        m_state.floorAdhesion = command.adhesion;
+        m_state.around.floorHeight = command.height;
+        m_state.around.floorFriction = command.friction;
+        m_state.around.floorAdhesion = command.adhesion;
         m_state.contacts->invalidate();
     }
     void operator()(const AddManipulator& command) const
@@ -122,7 +122,7 @@ public:
             manipulator.pose = command.pose;
             manipulator.motion = HoldStill{};
         });
-        if (m_state.step == 0)
+        if (m_state.steps.count == 0)
             tool(command.tool).start = tool(command.tool).manipulator;
     }
     void operator()(const AddFixture& command) const
@@ -132,29 +132,25 @@ public:
                 Message("Fixture", "Fixture \"%1\" names a body that does not exist.").with(command.fixture.name));
         requireGrip(command.fixture);
         keepingAccounts([&] {
-            m_state.fixtures.emplace_back(command.fixture);
-            m_state.gripProgress.resize(m_state.fixtures.size());
+            m_state.grips.fixtures.emplace_back(command.fixture);
+            m_state.grips.progress.resize(m_state.grips.fixtures.size());
             m_state.holdFixtures();
         });
     }
     void operator()(const RemoveFixture& command) const
     {
-        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        m_state.fixtures[command.fixture].reset();
+        fixture(command.fixture).reset();
         m_state.holdFixtures();
     }
     void operator()(const MoveFixture& command) const
     {
-        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        Fixture moved = *m_state.fixtures[command.fixture];
+        Fixture moved = *fixture(command.fixture);
         moved.velocity = command.velocity;
         moved.turn = command.turn;
         requireGrip(moved);
         keepingAccounts([&] {
-            m_state.fixtures[command.fixture] = std::move(moved);
-            m_state.gripProgress[command.fixture] = {};
+            fixture(command.fixture) = std::move(moved);
+            m_state.grips.progress[command.fixture] = {};
             m_state.holdFixtures();
         });
     }
@@ -168,14 +164,14 @@ public:
     }
     void operator()(const SetPace& command) const
     {
-        m_state.pace = command.pace;
+        m_state.scheme.pace = command.pace;
         if (m_state.isImplicit())
-            m_state.timeStep = m_state.frameStep();
+            m_state.steps.length = m_state.frameStep();
     }
     void operator()(const Reset&) const
     {
         m_state.placeAtStart();
-        ++m_state.resets;
+        ++m_state.commands.resets;
     }
     void operator()(const KeepMoment&) const { m_state.keepMoment(); }
     void operator()(const FindBalance& command) const
@@ -183,7 +179,7 @@ public:
         const StaticReport report = m_state.settle(command.duration, TaskControl::none());
         if (report.converged)
             return;
-        m_state.recording.push_back({m_state.step, KeepMoment{}}); // which it began with
+        m_state.commands.recording.push_back({m_state.steps.count, KeepMoment{}}); // which it began with
         throw Problem(report.message);
     }
     void operator()(const Refill& command) const
@@ -213,12 +209,7 @@ public:
         tool(command.tool).manipulator.name = command.name;
         tool(command.tool).start.name = command.name;
     }
-    void operator()(const RenameFixture& command) const
-    {
-        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
-        m_state.fixtures[command.fixture]->name = command.name;
-    }
+    void operator()(const RenameFixture& command) const { fixture(command.fixture)->name = command.name; }
     void operator()(const AddLoad& command) const
     {
         if (command.load.body >= m_state.bodies.size())
@@ -226,7 +217,7 @@ public:
         const Aggregate& aggregate = *m_state.bodies[command.load.body].aggregate;
         if (const Message problem = loadProblem(command.load, aggregate.size()); !problem.empty())
             throw Problem(problem);
-        m_state.loads.add({.load = command.load, .from = {}, .begin = m_state.time}, aggregate);
+        m_state.loads.add({.load = command.load, .from = {}, .begin = m_state.steps.time}, aggregate);
     }
     void operator()(const RemoveLoad& command) const
     {
@@ -238,7 +229,7 @@ public:
         requireLoad(command.load);
         if (const Message problem = amountProblem(command.amount, command.ramp); !problem.empty())
             throw Problem(problem);
-        m_state.loads.change(command, m_state.time);
+        m_state.loads.change(command, m_state.steps.time);
     }
 
 private:
@@ -250,6 +241,13 @@ private:
         if (id >= m_state.bodies.size())
             throw Problem(Message("Scene", "There is no body number %1.").with(id));
         return *m_state.runs[id];
+    }
+    std::optional<Fixture>& fixture(FixtureId id) const
+    {
+        std::vector<std::optional<Fixture>>& all = m_state.grips.fixtures;
+        if (id >= all.size() || !all[id])
+            throw Problem(Message("Fixture", "There is no fixture number %1.").with(id));
+        return all[id];
     }
     /// Pieces that came off move on their own, and a rigid body has one motion.
     void requireWhole(BodyId id) const
@@ -266,7 +264,7 @@ private:
     {
         const double before = m_state.storedEnergy().imbalance;
         apply();
-        m_state.startEnergy += m_state.storedEnergy().imbalance - before;
+        m_state.accounts.atStart += m_state.storedEnergy().imbalance - before;
     }
     static void requireGrip(const Fixture& fixture)
     {
@@ -354,29 +352,30 @@ void Simulation::State::setKind(BodyId body, BodyKind kind)
 
 void Simulation::State::carryOut(const Command& command)
 {
-    const std::uint64_t before = step;
+    const std::uint64_t before = steps.count;
     rest.disturb();
     std::visit(Executor(*this), command);
     if (!leavesBodies(command))
         implicit.reset();
     const std::optional<BodyId> body = bodyOfNumbers(command);
     const bool isLater = body && !isFirstFilling(*body);
-    recording.push_back({before, command, isLater ? static_cast<std::uint32_t>(bodies[*body].aggregate->size()) : 0});
+    commands.recording.push_back(
+        {before, command, isLater ? static_cast<std::uint32_t>(bodies[*body].aggregate->size()) : 0});
 }
 
 void Simulation::State::applyCommands()
 {
-    while (!pending.empty()) {
-        const Command command = std::move(pending.front());
-        pending.pop_front();
+    while (!commands.pending.empty()) {
+        const Command command = std::move(commands.pending.front());
+        commands.pending.pop_front();
         try {
             carryOut(command);
             if (!std::holds_alternative<KeepMoment>(command)) // what was wrong before has not been read yet
-                notice = {};
+                out.notice = {};
             if (placesTool(command))
                 noteToolsInside();
         } catch (const std::runtime_error& error) {
-            notice = messageOf(error);
+            out.notice = messageOf(error);
         }
     }
 }

@@ -18,8 +18,8 @@ void Simulation::State::cutWithKnives()
     for (BodyId b = 0; b < runs.size(); ++b) {
         if (cuts[b].empty())
             continue;
-        energy.fracture += runs[b]->connections.cut(runs[b]->state, cuts[b], isImplicit() ? 0 : lastStep);
-        newlyBroken = true;
+        accounts.energy.fracture += runs[b]->connections.cut(runs[b]->state, cuts[b], isImplicit() ? 0 : steps.last);
+        cracks.areNew = true;
     }
 }
 
@@ -46,8 +46,8 @@ std::size_t Simulation::State::cutAlong(BodyId body, const Vec3& point, const Ve
     touchWhereBroken();
     updateTimeStep();
     contactReport = lookAtContacts();
-    lastKick = 0;
-    startEnergy += storedEnergy().imbalance - before;
+    travel.lastKick = 0;
+    accounts.atStart += storedEnergy().imbalance - before;
     return cut.size();
 }
 

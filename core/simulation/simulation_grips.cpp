@@ -33,83 +33,82 @@ Message gripProblem(const Fixture& fixture)
 /// Of two grips on one object the later one moves it.
 bool Simulation::State::isMovedBy(FixtureId fixture, ObjectIndex object) const
 {
-    return runs[fixtures[fixture]->body]->gripOf[object] == fixture;
+    return runs[grips.fixtures[fixture]->body]->gripOf[object] == fixture;
 }
 
-/// By which the grip turns in this step [rad].
-double Simulation::State::turnInStep(FixtureId fixture) const
+double Grips::turnInStep(FixtureId id, double duration) const
 {
-    const GripTurn& turn = fixtures[fixture]->turn;
-    return std::clamp(turn.angle - gripProgress[fixture].angle, 0.0, turn.angularVelocity.norm() * timeStep);
+    const GripTurn& turn = fixtures[id]->turn;
+    return std::clamp(turn.angle - progress[id].angle, 0.0, turn.angularVelocity.norm() * duration);
 }
 
 /// Objects go along chords whose ends lie on circles: v = V + (R r - r) / h.
 void Simulation::State::turnGrips()
 {
-    for (FixtureId id = 0; id < fixtures.size(); ++id) {
-        if (!fixtures[id] || !fixtures[id]->turn.turns())
+    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
+        if (!grips.turns(id))
             continue;
-        const Fixture& fixture = *fixtures[id];
+        const Fixture& fixture = *grips.fixtures[id];
         BodyRun& run = *runs[fixture.body];
         if (!run.deforms())
             continue;
-        const Mat3 turned = rotation(fixture.turn.angularVelocity, turnInStep(id));
-        const Vec3 center = fixture.turn.center + gripProgress[id].way;
+        const Mat3 turned = rotation(fixture.turn.angularVelocity, grips.turnInStep(id, steps.length));
+        const Vec3 center = fixture.turn.center + grips.progress[id].way;
         for (const ObjectIndex object : fixture.objects) {
             if (object >= run.state.size() || !isMovedBy(id, object))
                 continue;
             const Vec3 arm = run.state.position.at(object) - center;
-            const Vec3 velocity = fixture.velocity + (turned * arm - arm) / timeStep;
-            if (gripProgress[id].angle == 0) // the grip sets it going
-                energy.toolWork += 0.5 * run.state.mass[object] *
-                                   (velocity.squaredNorm() - run.state.velocity.at(object).squaredNorm());
+            const Vec3 velocity = fixture.velocity + (turned * arm - arm) / steps.length;
+            if (grips.progress[id].angle == 0) // the grip sets it going
+                accounts.energy.toolWork += 0.5 * run.state.mass[object] *
+                                            (velocity.squaredNorm() - run.state.velocity.at(object).squaredNorm());
             run.state.velocity.set(object, velocity);
         }
     }
 }
 
-void Simulation::State::endTurns()
+void Grips::endTurns(double duration)
 {
     for (FixtureId id = 0; id < fixtures.size(); ++id) {
-        if (!fixtures[id] || !fixtures[id]->turn.turns())
+        if (!turns(id))
             continue;
-        gripProgress[id].angle += turnInStep(id);
-        gripProgress[id].way += timeStep * fixtures[id]->velocity;
+        progress[id].angle += turnInStep(id, duration);
+        progress[id].way += duration * fixtures[id]->velocity;
     }
 }
 
 /// The next step finds the velocities of what turns anew; a moment has those that going to it makes.
 void Simulation::State::forgetTurns(Moment& moment) const
 {
-    for (FixtureId id = 0; id < fixtures.size(); ++id) {
-        if (!fixtures[id] || !fixtures[id]->turn.turns())
+    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
+        if (!grips.turns(id))
             continue;
-        VectorArray& velocity = moment.bodies[fixtures[id]->body].velocity;
-        for (const ObjectIndex object : fixtures[id]->objects)
+        VectorArray& velocity = moment.bodies[grips.fixtures[id]->body].velocity;
+        for (const ObjectIndex object : grips.fixtures[id]->objects)
             if (object < velocity.size() && isMovedBy(id, object))
-                velocity.set(object, fixtures[id]->velocity);
+                velocity.set(object, grips.fixtures[id]->velocity);
     }
 }
 
 /// Acceleration of an object that goes around evenly, from chord to chord: (R - 2 + R^-1) r / h^2, r at the start of the step.
 Vec3 Simulation::State::centripetal(FixtureId fixture, const Vec3& place) const
 {
-    const GripTurn& turn = fixtures[fixture]->turn;
-    if (!turn.turns() || !runs[fixtures[fixture]->body]->deforms())
+    const GripTurn& turn = grips.fixtures[fixture]->turn;
+    if (!turn.turns() || !runs[grips.fixtures[fixture]->body]->deforms())
         return Vec3::Zero();
-    const double angle = turnInStep(fixture);
-    if (angle < turn.angularVelocity.norm() * timeStep)
+    const double angle = grips.turnInStep(fixture, steps.length);
+    if (angle < turn.angularVelocity.norm() * steps.length)
         return Vec3::Zero(); // the last step
     const Mat3 turned = rotation(turn.angularVelocity, angle);
-    Vec3 arm = place - turn.center - gripProgress[fixture].way;
+    Vec3 arm = place - turn.center - grips.progress[fixture].way;
     if (isImplicit()) // the place is the one at the end
-        arm = turned.transpose() * (arm - timeStep * fixtures[fixture]->velocity);
-    return (turned * arm - 2 * arm + turned.transpose() * arm) / (timeStep * timeStep);
+        arm = turned.transpose() * (arm - steps.length * grips.fixtures[fixture]->velocity);
+    return (turned * arm - 2 * arm + turned.transpose() * arm) / (steps.length * steps.length);
 }
 
-void Simulation::State::findFixtureCenters()
+void Grips::findCenters(const std::vector<Body>& bodies)
 {
-    fixtureCenters.assign(fixtures.size(), Vec3::Zero());
+    centers.assign(fixtures.size(), Vec3::Zero());
     for (FixtureId id = 0; id < fixtures.size(); ++id) {
         if (!fixtures[id])
             continue;
@@ -117,10 +116,10 @@ void Simulation::State::findFixtureCenters()
         std::size_t count = 0;
         for (const ObjectIndex object : fixtures[id]->objects)
             if (object < lattice.size()) {
-                fixtureCenters[id] += lattice.position(object);
+                centers[id] += lattice.position(object);
                 ++count;
             }
-        fixtureCenters[id] /= static_cast<double>(std::max<std::size_t>(1, count));
+        centers[id] /= static_cast<double>(std::max<std::size_t>(1, count));
     }
 }
 

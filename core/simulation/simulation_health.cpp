@@ -1,6 +1,6 @@
 // What goes wrong is found, named and undone.
 #include "core/geometry/disjoint_sets.h"
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 
@@ -16,10 +16,6 @@ namespace {
 // go on from the copy, which would cost ten more.
 constexpr std::uint64_t checkpointInterval = 256;
 constexpr std::uint64_t implicitCheckpointInterval = 8; // the same in frames
-// The stable step depends on the shape, so it is found again this often [steps].
-constexpr std::uint64_t timeStepInterval = 256;
-// With more contacts on an object at a time than the time step allows for, the step is found again with some to spare.
-constexpr double crowdingReserve = 1.5;
 // A chosen time step may be this much above the largest stable one: that is bounded from above, not known.
 constexpr double stableStepTolerance = 1.25;
 
@@ -28,11 +24,11 @@ constexpr double stableStepTolerance = 1.25;
 void Simulation::State::stop(const Message& cause, Trouble trouble)
 {
     const Message message = Message("Run", "The simulation was stopped at %1 s: %2 It went back to %3 s.")
-                                .with(inDigits(time), cause, inDigits(lastGood->time));
-    const std::uint64_t reached = step;
+                                .with(inDigits(steps.time), cause, inDigits(lastGood->steps.time));
+    const std::uint64_t reached = steps.count;
     restore(*lastGood);
-    step = reached; // steps are what commands are counted by: what comes now comes after this one
-    health = {false, message, trouble};
+    steps.count = reached; // steps are what commands are counted by: what comes now comes after this one
+    watch.health = {false, message, trouble};
 }
 
 /// Two looks in a row must agree, since a sharp tool may turn a spot inside out for a moment.
@@ -43,15 +39,15 @@ Message Simulation::State::squashedBody()
         if (runs[b]->deforms() && runs[b]->connections.countInverted(runs[b]->state) > 0)
             name =
                 bodies[b].name.empty() ? Message("Run", "the body") : Message::verbatim("\"" + bodies[b].name + "\"");
-    const bool again = wasSquashed;
-    wasSquashed = !name.empty();
+    const bool again = watch.wasSquashed;
+    watch.wasSquashed = !name.empty();
     return again ? name : Message();
 }
 
 /// Once in a while: what costs about a step to see. @return what was found wrong, with a cause
 std::pair<Trouble, Message> Simulation::State::lookClosely()
 {
-    penetration = std::max(penetration, deepestOverlap());
+    out.penetration = std::max(out.penetration, deepestOverlap());
     if (const Message name = squashedBody(); !name.empty())
         return {
             Trouble::squashed,
@@ -61,14 +57,14 @@ std::pair<Trouble, Message> Simulation::State::lookClosely()
                 .with(name)};
     if (Message cause = energyCause(); !cause.empty())
         return {Trouble::energy, std::move(cause)};
-    if (!wasSquashed && !wasOverdrawn)
+    if (!watch.wasSquashed && !travel.wasOverdrawn)
         lastGood = std::make_shared<const Moment>(moment());
     return {Trouble::none, {}};
 }
 
 std::pair<Trouble, Message> Simulation::State::findTrouble()
 {
-    if (!std::isfinite(largestTravel / lastStep))
+    if (!std::isfinite(travel.largest / steps.last))
         return {Trouble::notANumber,
                 Message("Run", "a position is no longer a number. %1 or make the material softer, then reset.")
                     .with(remedy())};
@@ -76,7 +72,7 @@ std::pair<Trouble, Message> Simulation::State::findTrouble()
         return {Trouble::runaway, std::move(cause)};
     if (Message cause = unsolvedCause(); !cause.empty())
         return {Trouble::unsolved, std::move(cause)};
-    if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0)
+    if (steps.count % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0)
         return lookClosely();
     return {Trouble::none, {}};
 }
@@ -85,34 +81,35 @@ std::pair<Trouble, Message> Simulation::State::findTrouble()
 /// there were no more since the last look.
 void Simulation::State::findTimeStep()
 {
-    recentCrowding = std::max(recentCrowding, contactReport.crowding);
-    const bool isCrowded = contactReport.crowding > crowding;
-    const bool isDue = step % timeStepInterval == 0;
+    travel.recentCrowding = std::max(travel.recentCrowding, contactReport.crowding);
+    const bool isCrowded = contactReport.crowding > steps.crowding;
+    const bool isDue = steps.count % solverSettings.explicitSteps.timeStepInterval == 0;
     if (isCrowded)
-        crowding = crowdingReserve * contactReport.crowding;
+        steps.crowding = solverSettings.explicitSteps.crowdingReserve * contactReport.crowding;
     else if (isDue)
-        crowding = std::min(crowding, std::max(1.0, crowdingReserve * recentCrowding));
+        steps.crowding = std::min(steps.crowding,
+                                  std::max(1.0, solverSettings.explicitSteps.crowdingReserve * travel.recentCrowding));
     if (isDue)
-        recentCrowding = 0;
+        travel.recentCrowding = 0;
     if (isCrowded || isDue)
         updateTimeStep();
 }
 
 void Simulation::State::checkHealth()
 {
-    fastestDriven = std::max(fastestDriven, surfaceTravel / lastStep);
-    for (const auto& fixture : fixtures)
+    travel.fastestDriven = std::max(travel.fastestDriven, travel.ofSurfaces / steps.last);
+    for (const auto& fixture : grips.fixtures)
         if (fixture)
-            fastestDriven = std::max(fastestDriven, fixture->velocity.norm());
+            travel.fastestDriven = std::max(travel.fastestDriven, fixture->velocity.norm());
     auto [trouble, cause] = findTrouble();
     if (cause.empty() && !isImplicit()) {
         findTimeStep();
-        if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep) {
+        if (chosen.timeStep && *chosen.timeStep > stableStepTolerance * steps.stable) {
             trouble = Trouble::longStep;
             cause = Message("Run",
                             "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, "
                             "or a softer or more damped material.")
-                        .with(inDigits(*wantedTimeStep), inDigits(stableStep));
+                        .with(inDigits(*chosen.timeStep), inDigits(steps.stable));
         }
     }
     if (!cause.empty())
@@ -129,8 +126,8 @@ std::size_t Simulation::State::components()
     std::uint64_t version = contacts->joints().version();
     for (std::size_t b = 0; b < runs.size(); ++b)
         version = 31 * version + runs[b]->connections.changes().broken.size() * 2 + (runs[b]->deforms() ? 0 : 1);
-    if (version == componentsVersion)
-        return knownComponents;
+    if (version == cracks.version)
+        return cracks.components;
     std::vector<std::size_t> first{0};
     for (const auto& run : runs)
         first.push_back(first.back() + run->state.size());
@@ -145,9 +142,9 @@ std::size_t Simulation::State::components()
     }
     for (const Joint& joint : contacts->joints().all())
         sets.join(first[joint.first.body] + joint.first.object, first[joint.second.body] + joint.second.object);
-    componentsVersion = version;
-    knownComponents = sets.count();
-    return knownComponents;
+    cracks.version = version;
+    cracks.components = sets.count();
+    return cracks.components;
 }
 
 } // namespace knead

@@ -1,5 +1,5 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
-#include "core/integration/time_step.h"
+#include "core/integration/solver_settings.h"
 #include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
@@ -15,23 +15,7 @@ namespace {
 
 // In which tools are looked ahead [s].
 constexpr double frame = 1.0 / 60;
-// Steps are halved so often at most, which is a quarter of a millisecond.
-constexpr int mostHalvings = 6;
-// In a step nothing may go further than this [spacings], so that what is met within it is still on the right side.
-constexpr double travelShare = 0.5;
-// A step that moved something further than this is taken again at half the length [spacings].
-constexpr double farthestShare = 1.25;
-// Before a step is made longer again, speeds must be so much below what it allows: the factor of the system would be found anew
-// with every change.
-constexpr double calmShare = 0.9;
-// A hand that begins to push as hard as it may within a step is ahead of its tool by so much [spacings].
-constexpr double handGive = 0.02;
-// So near to its force limit a tool is taken to be held up.
-constexpr double stalledShare = 0.05;
-
-// A crack runs on within a step so many times at most. Each time a system is solved for what is left; what it does not come to runs
-// on in the next step.
-constexpr int mostBreakingRounds = 24;
+constexpr const ImplicitStepSettings& implicitSteps = solverSettings.implicitSteps;
 
 // What a present-day core does of explicit steps times connections in a second. A constant and not a measurement,
 // so that the same scene is carried out by the same scheme on any machine and with any load.
@@ -82,6 +66,49 @@ Message reasonOf(Integrator integrator, bool isChosen, double stepsPerSecond, bo
         .with(name, steps);
 }
 
+/// Whether the material holds the tool up on a way.
+bool isStalled(const ToolRun& tool, const Vec3& way)
+{
+    return way.dot(tool.force) <= 0 &&
+           tool.force.norm() > (1 - implicitSteps.stalledShare) * tool.manipulator.forceLimit;
+}
+
+/// Around all objects, with a spacing around them.
+Box materialBox(const std::vector<std::unique_ptr<BodyRun>>& runs)
+{
+    Box box;
+    double margin = 0;
+    for (const auto& run : runs) {
+        const VectorArray& places = run->state.position;
+        for (std::size_t object = 0; object < places.size(); ++object)
+            box.extend(places.at(object));
+        margin = std::max(margin, run->connections.aggregate().lattice.spacing);
+    }
+    return box.isEmpty() ? box : Box(box.min().array() - margin, box.max().array() + margin);
+}
+
+/// How many tools have force limits.
+std::size_t limitedTools(const std::vector<std::optional<ToolRun>>& tools)
+{
+    return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), [](const auto& tool) {
+        return tool && std::isfinite(tool->manipulator.forceLimit);
+    }));
+}
+
+/// Where a tool is, and how it moved in the last step.
+struct ToolPlace {
+    Pose pose;
+    Vec3 velocity = Vec3::Zero();
+};
+
+std::vector<ToolPlace> placesOf(const std::vector<std::optional<ToolRun>>& tools)
+{
+    std::vector<ToolPlace> places;
+    for (const auto& tool : tools)
+        places.push_back(tool ? ToolPlace{tool->manipulator.pose, tool->velocity} : ToolPlace{});
+    return places;
+}
+
 } // namespace
 
 /// What an explicit scheme would need of connections times steps per second of simulated time decides.
@@ -95,35 +122,35 @@ void Simulation::State::chooseIntegrator()
         needed += static_cast<double>(run->connections.count()) *
                   ((run->connections.hasBulk() ? volumetricCost : 1) + plastic);
     }
-    const double explicitStep = wantedTimeStep.value_or(timeStepShare * stableStep);
+    const double explicitStep = chosen.timeStep.value_or(solverSettings.explicitSteps.timeStepShare * steps.stable);
     const double stepsPerSecond = 1 / explicitStep;
     needed *= stepsPerSecond;
     const bool keepsUp = needed <= connectionStepsPerSecond;
-    Integrator chosen = wantedIntegrator;
-    if (wantedIntegrator == Integrator::automatic)
-        chosen = keepsUp ? Integrator::semiImplicitEuler : Integrator::implicitEuler;
-    integratorReason = reasonOf(chosen, wantedIntegrator != Integrator::automatic, stepsPerSecond, keepsUp);
-    if (chosen != integrator || step == 0) {
+    Integrator next = scheme.wanted;
+    if (scheme.wanted == Integrator::automatic)
+        next = keepsUp ? Integrator::semiImplicitEuler : Integrator::implicitEuler;
+    scheme.reason = reasonOf(next, scheme.wanted != Integrator::automatic, stepsPerSecond, keepsUp);
+    if (next != scheme.inUse || steps.count == 0) {
         // From here on velocities and places belong to the same time, as at the start.
-        lastStep = 0;
-        lastKick = 0;
-        unknownEnergy = 0;
+        steps.last = 0;
+        travel.lastKick = 0;
+        accounts.unknown = 0;
     }
-    integrator = chosen;
+    scheme.inUse = next;
     const double stored = contacts->setScheme(surfaces(), isImplicit());
     contactReport.energy += stored;
-    energy.numerical -= stored;
-    timeStep = isImplicit() ? frameStep() : explicitStep;
+    accounts.energy.numerical -= stored;
+    steps.length = isImplicit() ? frameStep() : explicitStep;
 }
 
-void Simulation::State::setIntegrator(Integrator chosen)
+void Simulation::State::setIntegrator(Integrator wanted)
 {
-    wantedIntegrator = chosen;
+    scheme.wanted = wanted;
     // The stable step is that of the scheme in use.
-    integrator = chosen == Integrator::forwardEuler ? chosen : Integrator::semiImplicitEuler;
-    lastStep = 0;
-    lastKick = 0;
-    unknownEnergy = 0;
+    scheme.inUse = wanted == Integrator::forwardEuler ? wanted : Integrator::semiImplicitEuler;
+    steps.last = 0;
+    travel.lastKick = 0;
+    accounts.unknown = 0;
     updateTimeStep();
     chooseIntegrator();
 }
@@ -131,33 +158,13 @@ void Simulation::State::setIntegrator(Integrator chosen)
 /// [N/m]; infinite without a force limit
 double Simulation::State::handStiffness(const Manipulator& manipulator) const
 {
-    return manipulator.forceLimit / (handGive * smallestSpacing(bodies));
+    return manipulator.forceLimit / (implicitSteps.handGive * smallestSpacing(bodies));
 }
 
 /// Where the hand of a tool wants it after a time from now.
 Pose Simulation::State::wantedPose(const ToolRun& tool, double duration) const
 {
-    return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, time, duration), duration);
-}
-
-/// Whether the material holds the tool up on a way.
-bool Simulation::State::isStalled(const ToolRun& tool, const Vec3& way)
-{
-    return way.dot(tool.force) <= 0 && tool.force.norm() > (1 - stalledShare) * tool.manipulator.forceLimit;
-}
-
-/// Around all objects, with a spacing around them.
-Box Simulation::State::materialBox() const
-{
-    Box box;
-    double margin = 0;
-    for (BodyId b = 0; b < runs.size(); ++b) {
-        const VectorArray& places = runs[b]->state.position;
-        for (std::size_t object = 0; object < places.size(); ++object)
-            box.extend(places.at(object));
-        margin = std::max(margin, bodies[b].aggregate->lattice.spacing);
-    }
-    return box.isEmpty() ? box : Box(box.min().array() - margin, box.max().array() + margin);
+    return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, steps.time, duration), duration);
 }
 
 /// Speed at which tools are likely to move in the next frame: one that is held up as in the last [m/s]. Those that pass by far from
@@ -165,7 +172,7 @@ Box Simulation::State::materialBox() const
 double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
-    const Box material = materialBox();
+    const Box material = materialBox(runs);
     const double ahead = std::max(frame, frameStep());
     for (const auto& tool : tools) {
         if (!tool)
@@ -185,31 +192,17 @@ double Simulation::State::fastestSurface() const
     return fastest;
 }
 
-/// Where a tool is, and how it moved in the last step.
-struct Simulation::State::ToolPlace {
-    Pose pose;
-    Vec3 velocity = Vec3::Zero();
-};
-
-std::vector<Simulation::State::ToolPlace> Simulation::State::toolPlaces() const
-{
-    std::vector<ToolPlace> places;
-    for (const auto& tool : tools)
-        places.push_back(tool ? ToolPlace{tool->manipulator.pose, tool->velocity} : ToolPlace{});
-    return places;
-}
-
 /// Tools go to where they are likely to be at the end of the step. @return the hands of those with force limits
 std::vector<ToolHand> Simulation::State::beginHands()
 {
     std::vector<ToolHand> hands;
     std::uint32_t surface = 0;
-    surfaceTravel = 0;
+    travel.ofSurfaces = 0;
     for (auto& tool : tools) {
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        const Pose next = wantedPose(*tool, timeStep);
+        const Pose next = wantedPose(*tool, steps.length);
         const Vec3 way = next.position - manipulator.pose.position;
         if (std::isfinite(manipulator.forceLimit))
             hands.push_back({.surface = surface,
@@ -219,14 +212,14 @@ std::vector<ToolHand> Simulation::State::beginHands()
                              .limit = manipulator.forceLimit,
                              .stiffness = handStiffness(manipulator)});
         if (!isStalled(*tool, way))
-            tool->velocity = way / timeStep;
+            tool->velocity = way / steps.length;
         turnTool(*tool, next.rotation);
-        manipulator.pose.position += timeStep * tool->velocity;
+        manipulator.pose.position += steps.length * tool->velocity;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
-        surfaceTravel = std::max(surfaceTravel, speed * timeStep);
+        travel.ofSurfaces = std::max(travel.ofSurfaces, speed * steps.length);
         ++surface;
     }
-    surfaceTravel += strayed;
+    travel.ofSurfaces += travel.strayed;
     turnGrips();
     return hands;
 }
@@ -251,8 +244,8 @@ void Simulation::State::endHands(const std::vector<ToolHand>& hands)
 /// Implicit steps are no longer than this [s].
 double Simulation::State::frameStep() const
 {
-    const double longest = numbersOf(pace).longestStep;
-    return std::min(longest, wantedTimeStep.value_or(longest));
+    const double longest = numbersOf(scheme.pace).longestStep;
+    return std::min(longest, chosen.timeStep.value_or(longest));
 }
 
 /// The longest step in which nothing goes too far at present speeds: a half, a quarter ... of a frame.
@@ -266,23 +259,16 @@ double Simulation::State::longestImplicitStep() const
     }
     const double longest = frameStep();
     double h = longest;
-    for (int halving = 0; halving < mostHalvings && fastest * h > travelShare * spacing; ++halving)
+    for (int halving = 0; halving < implicitSteps.mostHalvings && fastest * h > implicitSteps.travelShare * spacing;
+         ++halving)
         h /= 2;
-    const bool isLonger = lastStep > 0 && h > lastStep;
+    const bool isLonger = steps.last > 0 && h > steps.last;
     if (isLonger) {
-        h = std::min(2 * lastStep, longest);
-        if (fastest * h > calmShare * travelShare * spacing)
-            h = lastStep;
+        h = std::min(2 * steps.last, longest);
+        if (fastest * h > implicitSteps.calmShare * implicitSteps.travelShare * spacing)
+            h = steps.last;
     }
     return h;
-}
-
-/// How many tools have force limits.
-std::size_t Simulation::State::limitedTools() const
-{
-    return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), [](const auto& tool) {
-        return tool && std::isfinite(tool->manipulator.forceLimit);
-    }));
 }
 
 void Simulation::State::makeImplicit()
@@ -296,56 +282,58 @@ void Simulation::State::makeImplicit()
                          .deforms = run.deforms(),
                          .pieces = &piecesOf(b)});
     }
-    implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools());
+    implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools(tools));
     if (!loads.empty())
-        implicit->setLoads([this] { return addLoads(time + timeStep); });
+        implicit->setLoads([this] { return addLoads(steps.time + steps.length); });
 }
 
 /// A step that was taken though its equations were not solved is counted; the first one is said.
 void Simulation::State::countSolved(bool isSolved)
 {
-    unsolvedInRow = isSolved ? 0 : unsolvedInRow + 1;
+    watch.unsolvedInRow = isSolved ? 0 : watch.unsolvedInRow + 1;
     if (isSolved)
         return;
-    if (++unsolvedSteps > 1)
+    if (++watch.unsolved > 1)
         return;
-    notice =
+    out.notice =
         Message("Run",
                 "The equations of the step at %1 s could not be solved: forces and places are rough from there on. "
                 "Make tools slower, or choose a shorter time step.")
-            .with(inDigits(time, 3));
+            .with(inDigits(steps.time, 3));
 }
 
 void Simulation::State::stepImplicitly()
 {
-    if (!implicit || implicit->mostHands() < limitedTools())
+    if (!implicit || implicit->mostHands() < limitedTools(tools))
         makeImplicit();
     const bool flows = std::any_of(runs.begin(), runs.end(),
                                    [](const auto& run) { return run->deforms() && run->connections.yields(); });
-    implicit->setTolerance(flows ? numbersOf(pace).whereItFlows : numbersOf(pace).tolerance);
+    implicit->setTolerance(flows ? numbersOf(scheme.pace).whereItFlows : numbersOf(scheme.pace).tolerance);
     for (BodyId b = 0; b < runs.size(); ++b)
         piecesOf(b); // which `implicit` looks at
-    const std::vector<ToolPlace> before = toolPlaces();
+    const std::vector<ToolPlace> before = placesOf(tools);
     const double spacing = smallestSpacing(bodies);
-    timeStep = longestImplicitStep();
+    steps.length = longestImplicitStep();
     ImplicitEuler::Report report;
     std::vector<ToolHand> hands;
-    solverIterations = 0;
+    scheme.iterations = 0;
     const double contactEnergy = contactReport.energy;
     for (int halvings = 0;; ++halvings) {
         hands = beginHands();
         updateVicinity();
         std::vector<RigidSurface> likely = surfaces();
-        report = implicit->step(*contacts, likely, hands, gravity, timeStep, contactEnergy);
-        solverIterations += report.iterations;
-        strayed = 0;
+        report = implicit->step(*contacts, likely, hands, around.gravity, steps.length, contactEnergy);
+        scheme.iterations += report.iterations;
+        travel.strayed = 0;
         for (std::size_t s = 0; s < likely.size(); ++s)
-            strayed = std::max(strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
-        const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing ||
-                                strayed > travelShare * spacing;
-        if (!wentTooFar || halvings == mostHalvings)
+            travel.strayed =
+                std::max(travel.strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
+        const bool wentTooFar = !report.converged ||
+                                report.largestSpeed * steps.length > implicitSteps.farthestShare * spacing ||
+                                travel.strayed > implicitSteps.travelShare * spacing;
+        if (!wentTooFar || halvings == implicitSteps.mostHalvings)
             break;
-        timeStep /= 2;
+        steps.length /= 2;
         for (std::size_t t = 0; t < tools.size(); ++t)
             if (tools[t])
                 std::tie(tools[t]->manipulator.pose, tools[t]->velocity) = std::tie(before[t].pose, before[t].velocity);
@@ -353,40 +341,40 @@ void Simulation::State::stepImplicitly()
     }
     endHands(hands);
     contactReport = report.contacts;
-    for (int round = 0; round < mostBreakingRounds && report.converged; ++round) {
-        const double fractured = energy.fracture;
+    for (int round = 0; round < implicitSteps.mostBreakingRounds && report.converged; ++round) {
+        const double fractured = accounts.energy.fracture;
         if (breakConnections() == 0)
             break;
         for (BodyId b = 0; b < runs.size(); ++b)
             piecesOf(b);
-        report = implicit->goOn(*contacts, gravity, timeStep, energy.fracture - fractured);
+        report = implicit->goOn(*contacts, around.gravity, steps.length, accounts.energy.fracture - fractured);
         endHands(hands);
         contactReport = report.contacts;
-        solverIterations += report.iterations;
+        scheme.iterations += report.iterations;
     }
     countSolved(report.converged);
     bookContacts();
-    energy.viscous -= report.dampingWork;
-    energy.numerical += report.numerical;
+    accounts.energy.viscous -= report.dampingWork;
+    accounts.energy.numerical += report.numerical;
     tellFrictionApart();
-    const Contacts::Report settled = implicit->settle(*contacts, timeStep);
+    const Contacts::Report settled = implicit->settle(*contacts, steps.length);
     contactReport.energy = settled.energy;
     bookLoadsAfter();
-    energy.plastic += settled.plastic;
-    energy.fracture += settled.fracture;
+    accounts.energy.plastic += settled.plastic;
+    accounts.energy.fracture += settled.fracture;
     bookPlaced(settled);
-    energy.plastic += report.plastic;
+    accounts.energy.plastic += report.plastic;
     for (auto& run : runs)
         run->connections.acceptFlow();
     loadFixtures();
     for (BodyId b = 0; b < runs.size(); ++b)
-        energy.viscous += brakeShape(b, timeStep);
-    endTurns();
-    largestTravel = report.largestSpeed * timeStep;
-    lastStep = lastKick = timeStep;
-    unknownEnergy = 0;
-    time += timeStep;
-    ++step;
+        accounts.energy.viscous += brakeShape(b, steps.length);
+    grips.endTurns(steps.length);
+    travel.largest = report.largestSpeed * steps.length;
+    steps.last = travel.lastKick = steps.length;
+    accounts.unknown = 0;
+    steps.time += steps.length;
+    ++steps.count;
 }
 
 } // namespace knead

@@ -115,7 +115,7 @@ void Simulation::State::bookLoadsBefore()
     loads.workAhead = 0;
     if (loads.empty())
         return;
-    energy.toolWork += 0.5 * lastStep * addLoads(time);
+    accounts.energy.toolWork += 0.5 * steps.last * addLoads(steps.time);
 }
 
 void Simulation::State::bookLoadsAfter()
@@ -123,8 +123,8 @@ void Simulation::State::bookLoadsAfter()
     if (loads.empty())
         return;
     const double share = isImplicit() ? 1 : 0.5;
-    const double work = share * timeStep * loads.power(runs);
-    energy.toolWork += work;
+    const double work = share * steps.length * loads.power(runs);
+    accounts.energy.toolWork += work;
     loads.workAhead = isImplicit() ? 0 : work;
 }
 

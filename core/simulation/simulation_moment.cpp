@@ -20,39 +20,20 @@ Moment Simulation::State::moment() const
 {
     Moment moment{.bodies = {},
                   .tools = tools,
-                  .fixtures = fixtures,
-                  .fixtureForces = fixtureForces,
-                  .gripProgress = gripProgress,
+                  .fixtures = grips.fixtures,
+                  .fixtureForces = grips.forces,
+                  .gripProgress = grips.progress,
                   .loads = loads.runs(),
                   .annealings = annealings,
                   .contacts = contacts->memory(),
                   .contactEnergy = contactReport.energy,
                   .contactCount = contactReport.count,
-                  .gravity = gravity,
-                  .floorHeight = floorHeight,
-                  .floorFriction = floorFriction,
-                  .floorAdhesion = floorAdhesion,
-                  .wantedIntegrator = wantedIntegrator,
-                  .integrator = integrator,
-                  .integratorReason = integratorReason,
-                  .solverIterations = solverIterations,
-                  .pace = pace,
-                  .step = step,
-                  .time = time,
-                  .timeStep = timeStep,
-                  .lastStep = lastStep,
-                  .stableStep = stableStep,
-                  .crowding = crowding,
-                  .unsolvedSteps = unsolvedSteps,
-                  .unsolvedInRow = unsolvedInRow,
-                  .isPlacedInside = isPlacedInside,
-                  .placedEnergy = placedEnergy,
-                  .addedMass = addedMass,
-                  .energy = energy,
-                  .startEnergy = startEnergy,
-                  .unknownEnergy = unknownEnergy,
-                  .wasSquashed = wasSquashed,
-                  .health = health};
+                  .around = around,
+                  .scheme = scheme,
+                  .steps = steps,
+                  .accounts = accounts,
+                  .watch = watch,
+                  .addedMass = massScaling.added};
     for (const auto& run : runs) {
         Moment::BodyMoment body{.materials = run->materials,
                                 .kind = run->kind,
@@ -64,7 +45,7 @@ Moment Simulation::State::moment() const
             body.position = run->state.position;
             body.velocity = run->state.velocity;
         }
-        if (massScalingTimeStep)
+        if (massScaling.timeStep)
             body.mass = run->state.mass;
         if (const auto id = static_cast<BodyId>(moment.bodies.size()); !isFirstFilling(id))
             body.refilled = bodies[id].aggregate;
@@ -80,7 +61,7 @@ bool Simulation::State::isOfThisScene(const Moment& moment) const
         return false;
     for (std::size_t b = 0; b < runs.size(); ++b) {
         const Moment::BodyMoment& body = moment.bodies[b];
-        if (body.materials.indices().size() != (body.refilled ? body.refilled : firstFillings[b])->size())
+        if (body.materials.indices().size() != (body.refilled ? body.refilled : refilling.first[b])->size())
             return false;
     }
     return true;
@@ -88,60 +69,35 @@ bool Simulation::State::isOfThisScene(const Moment& moment) const
 
 void Simulation::State::restore(const Moment& moment)
 {
-    step = moment.step;
-    time = moment.time;
-    timeStep = moment.timeStep;
-    lastStep = moment.lastStep;
-    lastKick = 0; // the forces of that step are not kept
-    stableStep = moment.stableStep;
-    crowding = moment.crowding;
-    recentCrowding = crowding; // not kept: it takes a whole interval without contacts to allow longer steps
-    fastestDriven = 0;
-    unsolvedSteps = moment.unsolvedSteps;
-    unsolvedInRow = moment.unsolvedInRow;
-    isPlacedInside = moment.isPlacedInside;
-    placedEnergy = moment.placedEnergy;
-    addedMass = moment.addedMass;
-    energy = moment.energy;
-    startEnergy = moment.startEnergy;
-    unknownEnergy = moment.unknownEnergy;
-    wasSquashed = moment.wasSquashed;
-    wasOverdrawn = false;
-    health = moment.health;
-    gravity = moment.gravity;
-    floorHeight = moment.floorHeight;
-    floorFriction = moment.floorFriction;
-    floorAdhesion = moment.floorAdhesion;
-    wantedIntegrator = moment.wantedIntegrator;
-    integrator = moment.integrator;
-    integratorReason = moment.integratorReason;
-    solverIterations = moment.solverIterations;
-    pace = moment.pace;
+    around = moment.around;
+    scheme = moment.scheme;
+    steps = moment.steps;
+    accounts = moment.accounts;
+    watch = moment.watch;
+    massScaling.added = moment.addedMass;
+    travel = {.recentCrowding = steps.crowding}; // it takes a whole interval without contacts to allow longer steps
+    cracks = {};
+    rest.disturb();
     tools = moment.tools;
     for (auto& tool : tools)
         if (tool)
             tool->velocity = tool->angularVelocity = Vec3::Zero(); // files do not have them
-    fixtures = moment.fixtures;
-    fixtureForces = moment.fixtureForces;
-    fixtureMoments.clear(); // not kept: the next step finds them
-    gripProgress = moment.gripProgress;
-    gripProgress.resize(fixtures.size());
-    refills = 0;
+    grips.fixtures = moment.fixtures;
+    grips.forces = moment.fixtureForces;
+    grips.moments.clear(); // not kept: the next step finds them
+    grips.progress = moment.gripProgress;
+    grips.progress.resize(grips.fixtures.size());
+    refilling.count = 0;
     for (BodyId b = 0; b < runs.size(); ++b)
-        if (const auto& refilled = moment.bodies[b].refilled ? moment.bodies[b].refilled : firstFillings[b];
+        if (const auto& refilled = moment.bodies[b].refilled ? moment.bodies[b].refilled : refilling.first[b];
             refilled != bodies[b].aggregate)
             replaceRun(b, refilled);
     loads.restore(moment.loads, bodies);
     annealings = moment.annealings;
     restoreBodies(moment);
-    restoreContacts(moment);
+    takeContacts(moment.contacts);
+    contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
     implicit.reset();
-    largestTravel = 0;
-    surfaceTravel = 0;
-    strayed = 0;
-    rest.disturb();
-    newlyBroken = false;
-    componentsVersion = ~std::uint64_t{0};
 }
 
 /// Materials, tools' and fixtures' turn has been; masses come before what moves with them.
@@ -175,18 +131,11 @@ void Simulation::State::restoreBodies(const Moment& moment)
     holdFixtures();
 }
 
-void Simulation::State::restoreContacts(const Moment& moment)
-{
-    contacts = std::make_unique<Contacts>(contactBodies(), vicinity, moment.contacts);
-    contacts->setScheme({}, isImplicit());
-    contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
-}
-
 /// Goes on from exactly what going back to the moment would make.
 void Simulation::State::keepMoment()
 {
     const double imbalance = storedEnergy().imbalance;
-    const bool knowsForces = lastKick > 0;
+    const bool knowsForces = travel.lastKick > 0;
     touchWhereBroken();
     for (auto& run : runs)
         if (run->rigid)
@@ -197,22 +146,22 @@ void Simulation::State::keepMoment()
     Moment kept = moment();
     restore(kept);
     if (knowsForces)
-        kept.unknownEnergy = unknownEnergy = imbalance - storedEnergy().imbalance;
+        kept.accounts.unknown = accounts.unknown = imbalance - storedEnergy().imbalance;
     lastGood = std::make_shared<const Moment>(std::move(kept));
 }
 
 void Simulation::State::goTo(MomentPointer moment)
 {
-    pending.clear();
-    notice = {};
+    commands.pending.clear();
+    out.notice = {};
     if (!isOfThisScene(*moment)) {
-        notice = Message("History", "The moment belongs to other bodies than these. Nothing was changed.");
+        out.notice = Message("History", "The moment belongs to other bodies than these. Nothing was changed.");
         return;
     }
     restore(*moment);
-    resets = 0;
-    penetration = 0;
-    recording.clear();
+    commands.resets = 0;
+    out.penetration = 0;
+    commands.recording.clear();
     lastGood = std::move(moment);
 }
 

@@ -6,14 +6,14 @@ std::vector<Reaction> Simulation::reactions() const
 {
     const State& state = *m_state;
     std::vector<Reaction> all;
-    for (FixtureId id = 0; id < state.fixtures.size(); ++id)
-        if (const auto& fixture = state.fixtures[id])
+    for (FixtureId id = 0; id < state.grips.fixtures.size(); ++id)
+        if (const auto& fixture = state.grips.fixtures[id])
             all.push_back({.kind = Reaction::Kind::fixture,
                            .id = id,
                            .name = fixture->name,
-                           .force = id < state.fixtureForces.size() ? state.fixtureForces[id] : Vec3::Zero(),
-                           .moment = id < state.fixtureMoments.size() ? state.fixtureMoments[id] : Vec3::Zero(),
-                           .about = state.fixtureCenters[id]});
+                           .force = id < state.grips.forces.size() ? state.grips.forces[id] : Vec3::Zero(),
+                           .moment = id < state.grips.moments.size() ? state.grips.moments[id] : Vec3::Zero(),
+                           .about = state.grips.centers[id]});
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (const auto& tool = state.tools[id])
             all.push_back({.kind = Reaction::Kind::tool,

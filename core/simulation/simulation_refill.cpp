@@ -59,6 +59,75 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
+/// Of the objects of a body since it was filled [m].
+std::vector<Vec3> displacementsOf(const BodyRun& run)
+{
+    std::vector<Vec3> displacements(run.state.size());
+    for (ObjectIndex i = 0; i < displacements.size(); ++i)
+        displacements[i] = run.state.position.at(i) - run.connections.aggregate().lattice.position(i);
+    return displacements;
+}
+
+/// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
+std::vector<GrownTogether> grownTogether(BodyId id, const BodyRun& run, const Joints& joints)
+{
+    std::vector<GrownTogether> healed;
+    for (const Joint& joint : joints.all())
+        if (joint.healed && joint.first.body == id && joint.second.body == id)
+            healed.emplace_back(joint.first.object, joint.second.object);
+    return regrown(run.connections.aggregate(), displacementsOf(run), run.connections.changes().broken, healed);
+}
+
+/// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
+/// five connections.
+double gapingVolume(BodyId id, const BodyRun& run, const Joints& joints)
+{
+    const Lattice& lattice = run.connections.aggregate().lattice;
+    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
+    if (broken.empty())
+        return 0;
+    const Pieces pieces = findPieces(run.connections.aggregate(), broken);
+    DisjointSets one(pieces.count);
+    std::vector<std::uint8_t> isHealed(run.state.size(), 0);
+    for (const auto& [first, second] : grownTogether(id, run, joints)) {
+        isHealed[first] = isHealed[second] = 1;
+        one.join(pieces.ofObject[first], pieces.ofObject[second]);
+    }
+    double volume = 0;
+    for (const BrokenConnection& each : broken) {
+        const auto [lower, upper] = run.connections.endsOf(each);
+        if (one.find(pieces.ofObject[lower]) != one.find(pieces.ofObject[upper]) || isHealed[lower] != 0 ||
+            isHealed[upper] != 0)
+            continue;
+        const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
+        const double gap = length - lattice.direction(static_cast<int>(each.direction)).norm();
+        volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
+    }
+    return volume;
+}
+
+/// Tools reach into the surface between points of a skin that was stretched: it goes on as deep in them as it is pressed.
+MovePlaces outOfTools(const Simulation::State& state, BodyId id)
+{
+    struct Pressed {
+        RigidSurface surface;
+        Box reach;
+        double depth; ///< [m]
+    };
+    std::vector<Pressed> pressed;
+    const double spacing = state.bodies[id].aggregate->lattice.spacing;
+    for (const RigidSurface& surface : state.surfaces())
+        if (const double depth = state.contacts->deepest(id, surface); depth > 0)
+            pressed.push_back({surface, surface.reach(spacing), depth});
+    return [pressed](std::span<Vec3> places) {
+        for (Vec3& place : places)
+            for (const Pressed& each : pressed)
+                if (each.reach.contains(place))
+                    if (const SurfacePoint nearest = each.surface.nearest(place); nearest.distance < -each.depth)
+                        place -= (nearest.distance + each.depth) * nearest.normal;
+    };
+}
+
 } // namespace
 
 /// A sentence; empty when it can.
@@ -87,7 +156,7 @@ Message Simulation::State::whyNotRefilled(BodyId id) const
         return Message("Filling",
                        "\"%1\" came apart after its skin was drawn out far: pieces of such a body are not filled anew.")
             .with(body.name);
-    if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
+    if (gapingVolume(id, run, contacts->joints()) > 0.5 * mostGaping * refilling.first[id]->filledVolume)
         return Message("Filling", "\"%1\" has cracks that gape, which another filling would close.").with(body.name);
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
@@ -106,7 +175,7 @@ Message Simulation::State::whyNotRefilled(BodyId id) const
 
 bool Simulation::State::isFirstFilling(BodyId body) const
 {
-    return bodies[body].aggregate == firstFillings[body];
+    return bodies[body].aggregate == refilling.first[body];
 }
 
 /// The same body of other objects, at rest where they are and of its own material alone. @return what there was before
@@ -117,7 +186,7 @@ std::unique_ptr<BodyRun> Simulation::State::replaceRun(BodyId id, std::shared_pt
     plain.regions.clear(); // their objects are those of the first filling
     plain.kind = runs[id]->kind;
     implicit.reset();
-    componentsVersion = ~std::uint64_t{0};
+    cracks.version = ~std::uint64_t{0};
     return std::exchange(runs[id], std::make_unique<BodyRun>(plain));
 }
 
@@ -127,7 +196,7 @@ void Simulation::State::carryObjects(BodyId id, const BodyRun& before, bool wasF
                                      const std::vector<ObjectIndex>& oldOfNew)
 {
     runs[id]->materials = carried(before.materials, oldOfNew);
-    for (auto& fixture : fixtures)
+    for (auto& fixture : grips.fixtures)
         if (fixture && fixture->body == id) {
             if (wasFirst)
                 fixture->whenOpened = fixture->objects;
@@ -145,7 +214,7 @@ void Simulation::State::carryObjects(BodyId id, const BodyRun& before, bool wasF
 
 void Simulation::State::takeContacts(const Contacts::Memory& memory)
 {
-    contacts = std::make_unique<Contacts>(contactBodies(), vicinity, memory);
+    contacts = std::make_unique<Contacts>(contactBodies(), chosen.vicinity, memory);
     contacts->setScheme({}, isImplicit());
 }
 
@@ -199,28 +268,6 @@ void Simulation::State::takeLoads(BodyId id)
         loads.restore(acting, bodies);
 }
 
-/// Tools reach into the surface between points of a skin that was stretched: it goes on as deep in them as it is pressed.
-MovePlaces Simulation::State::outOfTools(BodyId id) const
-{
-    struct Pressed {
-        RigidSurface surface;
-        Box reach;
-        double depth; ///< [m]
-    };
-    std::vector<Pressed> pressed;
-    const double spacing = bodies[id].aggregate->lattice.spacing;
-    for (const RigidSurface& surface : surfaces())
-        if (const double depth = contacts->deepest(id, surface); depth > 0)
-            pressed.push_back({surface, surface.reach(spacing), depth});
-    return [pressed](std::span<Vec3> places) {
-        for (Vec3& place : places)
-            for (const Pressed& each : pressed)
-                if (each.reach.contains(place))
-                    if (const SurfacePoint nearest = each.surface.nearest(place); nearest.distance < -each.depth)
-                        place -= (nearest.distance + each.depth) * nearest.normal;
-    };
-}
-
 /// What contacts store where everything is now. Changes nothing.
 Contacts::Report Simulation::State::lookAtContacts()
 {
@@ -229,7 +276,7 @@ Contacts::Report Simulation::State::lookAtContacts()
         before.emplace_back(run->state.force, run->state.damping);
     contacts->updateVicinity(surfaces(), 0, 0);
     Contacts::Report report = contacts->computeForces(
-        surfaces(), {.duration = timeStep, .stickSpeed = isImplicit() ? 1.0 : 0.0, .isTrial = true});
+        surfaces(), {.duration = steps.length, .stickSpeed = isImplicit() ? 1.0 : 0.0, .isTrial = true});
     for (std::size_t b = 0; b < runs.size(); ++b) {
         runs[b]->state.force = std::move(before[b].first);
         runs[b]->state.damping = std::move(before[b].second);
@@ -237,67 +284,19 @@ Contacts::Report Simulation::State::lookAtContacts()
     return {.energy = report.energy, .count = report.count};
 }
 
-/// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
-/// five connections.
-double Simulation::State::gapingVolume(BodyId id) const
-{
-    const BodyRun& run = *runs[id];
-    const Lattice& lattice = bodies[id].aggregate->lattice;
-    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
-    if (broken.empty())
-        return 0;
-    const Pieces pieces = findPieces(*bodies[id].aggregate, broken);
-    DisjointSets one(pieces.count);
-    std::vector<std::uint8_t> isHealed(run.state.size(), 0);
-    for (const auto& [first, second] : grownTogether(id)) {
-        isHealed[first] = isHealed[second] = 1;
-        one.join(pieces.ofObject[first], pieces.ofObject[second]);
-    }
-    double volume = 0;
-    for (const BrokenConnection& each : broken) {
-        const auto [lower, upper] = run.connections.endsOf(each);
-        if (one.find(pieces.ofObject[lower]) != one.find(pieces.ofObject[upper]) || isHealed[lower] != 0 ||
-            isHealed[upper] != 0)
-            continue;
-        const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
-        const double gap = length - lattice.direction(static_cast<int>(each.direction)).norm();
-        volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
-    }
-    return volume;
-}
-
-/// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
-std::vector<GrownTogether> Simulation::State::grownTogether(BodyId id) const
-{
-    std::vector<GrownTogether> healed;
-    for (const Joint& joint : contacts->joints().all())
-        if (joint.healed && joint.first.body == id && joint.second.body == id)
-            healed.emplace_back(joint.first.object, joint.second.object);
-    return regrown(*bodies[id].aggregate, displacementsOf(id), runs[id]->connections.changes().broken, healed);
-}
-
-/// Of the objects of a body since it was filled [m].
-std::vector<Vec3> Simulation::State::displacementsOf(BodyId id) const
-{
-    std::vector<Vec3> displacements(runs[id]->state.size());
-    for (ObjectIndex i = 0; i < displacements.size(); ++i)
-        displacements[i] = runs[id]->state.position.at(i) - bodies[id].aggregate->lattice.position(i);
-    return displacements;
-}
-
 /// @param spacing [m]; 0: as it is
 void Simulation::State::refill(BodyId id, double spacing)
 {
     BodyRun& run = *runs[id];
     const double before = storedEnergy().imbalance;
-    const std::vector<Vec3> displacements = displacementsOf(id);
+    const std::vector<Vec3> displacements = displacementsOf(run);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
     const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
-    const std::vector<GrownTogether> healed = grownTogether(id);
+    const std::vector<GrownTogether> healed = grownTogether(id, run, contacts->joints());
     KnownFittings fittings = run.fittings;
     NewFilling filling = newFilling({*bodies[id].surface, bodies[id].aggregate, displacements, broken, healed}, finest,
-                                    fittings, outOfTools(id));
-    const double grown = filling.aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
+                                    fittings, outOfTools(*this, id));
+    const double grown = filling.aggregate->filledVolume / refilling.first[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
         throw Problem(Message("Filling", "its cracks gape, and would be filled."));
     const CarriedState state(run.connections, run.state, filling);
@@ -313,17 +312,17 @@ void Simulation::State::refill(BodyId id, double spacing)
     holdFixtures();
     updateTimeStep();
     contactReport = lookAtContacts();
-    lastKick = 0;
-    energy.plastic += before - storedEnergy().imbalance;
+    travel.lastKick = 0;
+    accounts.energy.plastic += before - storedEnergy().imbalance;
     rest.disturb();
-    ++refills;
+    ++refilling.count;
 }
 
 /// Bodies whose cells are no good any more.
 void Simulation::State::refillWhereBad()
 {
     const std::uint64_t interval = isImplicit() ? implicitLooksInterval : looksInterval;
-    if (!refilling || step % interval != 0)
+    if (!refilling.isOn || steps.count % interval != 0)
         return;
     for (BodyId id = 0; id < bodies.size(); ++id) {
         BodyRun& run = *runs[id];
@@ -340,7 +339,8 @@ void Simulation::State::refillWhereBad()
         try {
             refill(id, 0);
         } catch (const std::runtime_error& error) {
-            notice = Message("Filling", "\"%1\" could not be filled anew: %2").with(bodies[id].name, messageOf(error));
+            out.notice =
+                Message("Filling", "\"%1\" could not be filled anew: %2").with(bodies[id].name, messageOf(error));
         }
     }
 }
@@ -351,18 +351,18 @@ void Simulation::State::takeFirstFilling(BodyId id)
     if (isFirstFilling(id))
         return;
     const Aggregate& present = *bodies[id].aggregate;
-    const Aggregate& first = *firstFillings[id];
+    const Aggregate& first = *refilling.first[id];
     const VectorArray then = placesOf(firstFillingWhenFilled(present));
     const VectorArray nodes = nodesOf(present);
     const std::vector<ObjectIndex> oldOfNew = nearestPoints(nodes, then, present.lattice.spacing);
     const std::vector<ObjectIndex> newOfOld = nearestPoints(then, nodes, present.lattice.spacing);
-    const std::unique_ptr<BodyRun> before = replaceRun(id, firstFillings[id]);
+    const std::unique_ptr<BodyRun> before = replaceRun(id, refilling.first[id]);
     carryObjects(id, *before, false, oldOfNew);
     runs[id]->connections.updateMaterials();
     Contacts::Memory memory = contacts->memory();
     renumber(memory, id, newOfOld, first, {});
     takeContacts(memory);
-    for (auto& fixture : fixtures)
+    for (auto& fixture : grips.fixtures)
         if (fixture && fixture->body == id && !fixture->whenOpened.empty())
             fixture->objects = std::exchange(fixture->whenOpened, {});
     setMasses();

@@ -35,7 +35,7 @@ std::vector<Pose> Simulation::State::wantedPoses() const
 {
     std::vector<Pose> wanted;
     for (const auto& tool : tools)
-        wanted.push_back(tool ? wantedPose(*tool, timeStep) : Pose{});
+        wanted.push_back(tool ? wantedPose(*tool, steps.length) : Pose{});
     return wanted;
 }
 
@@ -43,10 +43,10 @@ std::vector<Pose> Simulation::State::wantedPoses() const
 bool Simulation::State::isDriven() const
 {
     const double near = restTravel * smallestSpacing(bodies);
-    const bool grips = std::any_of(fixtures.begin(), fixtures.end(), [](const auto& fixture) {
+    const bool gripsMove = std::any_of(grips.fixtures.begin(), grips.fixtures.end(), [](const auto& fixture) {
         return fixture && (!fixture->velocity.isZero(0) || fixture->turn.turns());
     });
-    if (grips || !annealings.empty() || loads.isRising(time) || contacts->isWaiting())
+    if (gripsMove || !annealings.empty() || loads.isRising(steps.time) || contacts->isWaiting())
         return true;
     const std::vector<Pose> wanted = wantedPoses();
     return !std::equal(wanted.begin(), wanted.end(), rest.wanted.begin(), rest.wanted.end(),
@@ -63,17 +63,17 @@ void Simulation::State::watchRest()
         rest.disturb();
     if (!rest.isWatching) {
         rest.isWatching = true;
-        rest.begin = time;
+        rest.begin = steps.time;
         rest.places.resize(runs.size());
         for (std::size_t b = 0; b < runs.size(); ++b)
             rest.places[b] = runs[b]->state.position;
         rest.wanted = wantedPoses();
-        rest.flowed = energy.plastic;
+        rest.flowed = accounts.energy.plastic;
     }
-    if (time < rest.begin + watchTime)
+    if (steps.time < rest.begin + watchTime)
         return;
     rest.isWatching = false;
-    if (energy.plastic - rest.flowed > restFlow * energy.turnover)
+    if (accounts.energy.plastic - rest.flowed > restFlow * accounts.energy.turnover)
         return;
     for (std::size_t b = 0; b < runs.size(); ++b)
         if (farthest(rest.places[b], runs[b]->state.position) > restTravel * bodies[b].aggregate->lattice.spacing)
@@ -104,10 +104,10 @@ bool Simulation::State::stepAtRest()
         tool->torqueSum += tool->torque;
         ++tool->stepsInSum;
     }
-    solverIterations = 0;
-    timeStep = lastStep = lastKick = frameStep();
-    time += timeStep;
-    ++step;
+    scheme.iterations = 0;
+    steps.length = steps.last = travel.lastKick = frameStep();
+    steps.time += steps.length;
+    ++steps.count;
     return true;
 }
 

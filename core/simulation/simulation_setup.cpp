@@ -1,4 +1,5 @@
 // How a simulation begins: masses, fixtures, the time step, the state at the start.
+#include "core/integration/solver_settings.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/scene_limits.h"
 #include "core/simulation/simulation_state.h"
@@ -25,9 +26,9 @@ void require(bool holds, const Message& sentence)
         throw Problem(sentence);
 }
 
-bool usableTimeStep(const std::optional<double>& step)
+bool usableTimeStep(const std::optional<double>& length)
 {
-    return !step || (*step >= 1e-9 && *step <= 1);
+    return !length || (*length >= 1e-9 && *length <= 1);
 }
 
 } // namespace
@@ -77,39 +78,34 @@ std::vector<std::uint8_t> marksOf(const std::vector<ObjectIndex>& objects, std::
 
 Simulation::State::State(Scene scene)
     : bodies(std::move(scene.bodies))
-    , gravity(scene.gravity)
-    , floorHeight(scene.floorHeight)
-    , floorFriction(scene.floorFriction)
-    , floorAdhesion(scene.floorAdhesion)
-    , touching(scene.touching)
-    , wantedIntegrator(scene.integrator)
-    , integrator(scene.integrator)
-    , vicinity(scene.vicinity)
-    , wantedTimeStep(scene.timeStep)
-    , massScalingTimeStep(scene.massScalingTimeStep)
+    , around{scene.gravity, scene.floorHeight, scene.floorFriction, scene.floorAdhesion}
+    , chosen{scene.touching, scene.vicinity, scene.timeStep}
+    , scheme{.wanted = scene.integrator, .inUse = scene.integrator, .reason = {}}
+    , massScaling{.timeStep = scene.massScalingTimeStep}
 {
     for (const Body& body : bodies)
         if (const auto problems = bodyProblems(body); !problems.empty())
             throw Problem(Message("Scene", "Body \"%1\": %2").with(body.name, problems.front()));
-    require(gravity.norm() <= strongestGravity, Message("Scene", "Gravity must not be stronger than 10000 m/s^2."));
-    require(!floorHeight || std::abs(*floorHeight) <= farthestFloor,
+    require(around.gravity.norm() <= strongestGravity,
+            Message("Scene", "Gravity must not be stronger than 10000 m/s^2."));
+    require(!around.floorHeight || std::abs(*around.floorHeight) <= farthestFloor,
             Message("Scene", "The height of the floor must lie between -10 and 10 km."));
-    require(floorAdhesion >= 0 && floorAdhesion <= 1e9,
+    require(around.floorAdhesion >= 0 && around.floorAdhesion <= 1e9,
             Message("Scene", "The adhesion of the floor must lie between 0 and 1e9 Pa."));
-    require(floorFriction >= 0 && floorFriction <= 2,
+    require(around.floorFriction >= 0 && around.floorFriction <= 2,
             Message("Scene", "The friction of the floor must lie between 0 and 2."));
-    require(usableTimeStep(wantedTimeStep), Message("Scene", "The time step must lie between 1e-9 and 1 s."));
-    require(usableTimeStep(massScalingTimeStep),
+    require(usableTimeStep(chosen.timeStep), Message("Scene", "The time step must lie between 1e-9 and 1 s."));
+    require(usableTimeStep(massScaling.timeStep),
             Message("Scene", "The time step of mass scaling must lie between 1e-9 and 1 s."));
     for (const Manipulator& manipulator : scene.manipulators) {
         if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
             throw Problem(problems.front());
         tools.emplace_back(manipulator);
     }
-    refilling = scene.refilling;
+    refilling.isOn = scene.refilling;
     for (const Body& body : bodies) {
         runs.push_back(std::make_unique<BodyRun>(body));
-        firstFillings.push_back(body.aggregate);
+        refilling.first.push_back(body.aggregate);
     }
     for (Fixture& fixture : scene.fixtures) {
         require(fixture.body < bodies.size(),
@@ -117,7 +113,7 @@ Simulation::State::State(Scene scene)
         require(fixture.velocity.norm() <= fastestFixture,
                 Message("Fixture", "Fixture \"%1\" must not move faster than 100 m/s.").with(fixture.name));
         require(gripProblem(fixture).empty(), gripProblem(fixture));
-        fixtures.emplace_back(std::move(fixture));
+        grips.fixtures.emplace_back(std::move(fixture));
     }
     for (Load& load : scene.loads) {
         require(load.body < bodies.size(),
@@ -127,28 +123,28 @@ Simulation::State::State(Scene scene)
         loads.add({.load = std::move(load)}, aggregate);
     }
     for (const auto& run : runs)
-        requireDamping(run->materials, integrator);
+        requireDamping(run->materials, scheme.inUse);
     setMasses();
     placeAtStart();
     noteToolsInside();
 }
 
 /// Forward Euler is not stable without.
-void Simulation::State::requireDamping(const MaterialMap& materials, Integrator chosen) const
+void Simulation::State::requireDamping(const MaterialMap& materials, Integrator integrator) const
 {
     const double least = -materials.largest([](const Material& material) { return -material.dampingRatio; });
     require(
-        chosen != Integrator::forwardEuler || least > 0,
+        integrator != Integrator::forwardEuler || least > 0,
         Message("Scene",
                 "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler."));
 }
 
 void Simulation::State::setMasses()
 {
-    addedMass = 0;
+    massScaling.added = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         setMass(b);
-        if (massScalingTimeStep && runs[b]->deforms())
+        if (massScaling.timeStep && runs[b]->deforms())
             scaleMasses(*runs[b]);
     }
     holdFixtures();
@@ -167,7 +163,8 @@ void Simulation::State::setMass(std::size_t body)
 /// Objects whose own bound on the frequency is above the one that the wanted step allows get more inertia, but no weight.
 void Simulation::State::scaleMasses(BodyRun& run)
 {
-    const double frequency = frequencyForTimeStep(*massScalingTimeStep / timeStepShare, run.connections.dampingTime());
+    const double frequency = frequencyForTimeStep(*massScaling.timeStep / solverSettings.explicitSteps.timeStepShare,
+                                                  run.connections.dampingTime());
     std::vector<double> added(run.state.size());
     for (ObjectIndex i = 0; i < added.size(); ++i)
         added[i] = run.connections.contactStiffness(i);
@@ -177,7 +174,7 @@ void Simulation::State::scaleMasses(BodyRun& run)
         const double needed = stiffness[i] / (frequency * frequency);
         if (needed <= run.state.mass[i])
             continue;
-        addedMass += needed - run.state.mass[i];
+        massScaling.added += needed - run.state.mass[i];
         run.state.mass[i] = needed;
     }
     if (run.state.mass != material)
@@ -191,11 +188,11 @@ void Simulation::State::holdFixtures()
         for (std::size_t i = 0; i < run->state.size(); ++i)
             run->state.inverseMass[i] = run->anchored ? 0 : 1 / run->state.mass[i];
     }
-    findFixtureCenters();
+    grips.findCenters(bodies);
     for (const auto& run : runs)
         run->gripOf.assign(run->state.size(), noFixture);
-    for (FixtureId id = 0; id < fixtures.size(); ++id) {
-        const auto& fixture = fixtures[id];
+    for (FixtureId id = 0; id < grips.fixtures.size(); ++id) {
+        const auto& fixture = grips.fixtures[id];
         if (!fixture)
             continue;
         BodyRun& run = *runs[fixture->body];
@@ -224,24 +221,25 @@ void Simulation::State::holdFixtures()
 
 void Simulation::State::updateTimeStep()
 {
-    stableStep = std::numeric_limits<double>::infinity();
+    steps.stable = std::numeric_limits<double>::infinity();
     double largest = 0;
     for (BodyId b = 0; b < runs.size(); ++b) {
         if (!runs[b]->deforms())
             continue;
         StructuralConnections& connections = runs[b]->connections;
-        const double frequency = connections.largestFrequency(runs[b]->state, contacts->addedStiffness(b, crowding));
+        const double frequency =
+            connections.largestFrequency(runs[b]->state, contacts->addedStiffness(b, steps.crowding));
         largest = std::max(largest, frequency);
-        stableStep = std::min(stableStep, integrator == Integrator::forwardEuler
-                                              ? stableForwardEulerStep(frequency, connections.leastDampingTime(),
-                                                                       connections.dampingTime())
-                                              : stableTimeStep(frequency, connections.dampingTime()));
+        steps.stable = std::min(steps.stable, scheme.inUse == Integrator::forwardEuler
+                                                  ? stableForwardEulerStep(frequency, connections.leastDampingTime(),
+                                                                           connections.dampingTime())
+                                                  : stableTimeStep(frequency, connections.dampingTime()));
     }
     if (largest == 0)
-        stableStep = rigidTimeStep / timeStepShare;
+        steps.stable = rigidTimeStep / solverSettings.explicitSteps.timeStepShare;
     contacts->updateParameters(largest > 0 ? largest : 1 / rigidTimeStep);
     if (!isImplicit())
-        timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
+        steps.length = chosen.timeStep.value_or(solverSettings.explicitSteps.timeStepShare * steps.stable);
 }
 
 std::vector<Contacts::BodyView> Simulation::State::contactBodies()
@@ -278,44 +276,27 @@ void Simulation::State::placeAtStart()
     for (auto& tool : tools)
         if (tool)
             tool = ToolRun(tool->start);
-    gripProgress.assign(fixtures.size(), {});
+    grips.progress.assign(grips.fixtures.size(), {});
     loads.begin();
-    componentsVersion = ~std::uint64_t{0};
     holdFixtures();
-    contacts = std::make_unique<Contacts>(contactBodies(), vicinity);
-    if (touching == Touching::glued)
+    contacts = std::make_unique<Contacts>(contactBodies(), chosen.vicinity);
+    if (chosen.touching == Touching::glued)
         contacts->glueTouching();
     contactReport = {};
     annealings.clear();
-    step = 0;
-    time = 0;
-    lastStep = 0;
-    lastKick = 0;
-    crowding = 1;
-    recentCrowding = 0;
-    fastestDriven = 0;
-    refills = 0;
-    unsolvedSteps = 0;
-    unsolvedInRow = 0;
-    penetration = 0;
-    isPlacedInside = false;
-    placedEnergy = 0;
-    largestTravel = 0;
-    surfaceTravel = 0;
-    strayed = 0;
+    steps = {};
+    travel = {};
+    accounts = {};
+    watch = {};
+    cracks = {};
+    refilling.count = 0;
+    out.penetration = 0;
     rest.disturb();
-    newlyBroken = false;
-    wasSquashed = false;
-    wasOverdrawn = false;
-    health = {};
-    energy = {};
-    startEnergy = 0;
-    unknownEnergy = 0;
-    solverIterations = 0;
+    scheme.iterations = 0;
     implicit.reset();
     updateTimeStep();
     chooseIntegrator();
-    startEnergy = storedEnergy().imbalance;
+    accounts.atStart = storedEnergy().imbalance;
     lastGood = std::make_shared<const Moment>(moment());
 }
 

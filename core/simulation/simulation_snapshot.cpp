@@ -122,20 +122,20 @@ EnergyLedger Simulation::State::storedEnergy()
     // where forces and contact energy are known. With 1/2 m v- . v+ of the velocities half a step before and after, the sum
     // is what the scheme conserves exactly for linear springs; the imbalance uses that, or it would show the offset as an
     // error.
-    EnergyLedger stored = energy;
+    EnergyLedger stored = accounts.energy;
     stored.contact = contactReport.energy;
     // Forward Euler has both at the same time; the implicit scheme has all at the end of the step.
-    const bool sameTime = integrator != Integrator::semiImplicitEuler;
+    const bool sameTime = scheme.inUse != Integrator::semiImplicitEuler;
     // Right after going to a moment forces are not known: all is taken at present, and `unknownEnergy` makes up for it.
-    const double kicked = isImplicit() ? 0 : lastKick;
-    const double back = kicked > 0 ? lastStep : 0;
+    const double kicked = isImplicit() ? 0 : travel.lastKick;
+    const double back = kicked > 0 ? steps.last : 0;
     double conserved = 0;
     for (auto& run : runs) {
         if (run->rigid) {
             const Vec3 center = run->rigid->center() - back * run->rigid->velocity();
             conserved += isImplicit() ? run->rigid->presentKinetic() : run->rigid->conservedKinetic();
             stored.kinetic += isImplicit() ? run->rigid->presentKinetic() : run->rigid->kinetic();
-            stored.gravity -= run->rigid->mass() * gravity.dot(center);
+            stored.gravity -= run->rigid->mass() * around.gravity.dot(center);
             continue;
         }
         const ObjectState& state = run->state;
@@ -151,7 +151,7 @@ EnergyLedger Simulation::State::storedEnergy()
             Sums& sum = sums[begin / snapshotBlockSize];
             for (std::size_t i = begin; i < end; ++i) {
                 const double mass = state.mass[i];
-                const Vec3 force = state.force.at(i) + state.damping.at(i) + weighed[i] * gravity;
+                const Vec3 force = state.force.at(i) + state.damping.at(i) + weighed[i] * around.gravity;
                 const Vec3 after = state.velocity.at(i);
                 const Vec3 before = after - kicked * state.inverseMass[i] * force;
                 const Vec3 place = state.position.at(i) - back * (sameTime ? before : after);
@@ -159,7 +159,7 @@ EnergyLedger Simulation::State::storedEnergy()
                     earlier.set(i, place);
                 sum.kinetic +=
                     sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
-                sum.gravity -= weighed[i] * gravity.dot(place);
+                sum.gravity -= weighed[i] * around.gravity.dot(place);
                 sum.conserved += 0.5 * mass * before.dot(sameTime ? before : after);
             }
         });
@@ -174,20 +174,20 @@ EnergyLedger Simulation::State::storedEnergy()
     if (back > 0)
         stored.toolWork -= loads.workAhead; // of the last step, which is not counted yet
     stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated() -
-                       stored.toolWork + unknownEnergy - startEnergy;
-    stored.turnover =
-        std::max(energy.turnover, stored.kinetic + stored.elastic + stored.contact + std::abs(stored.dissipated()));
+                       stored.toolWork + accounts.unknown - accounts.atStart;
+    stored.turnover = std::max(accounts.energy.turnover,
+                               stored.kinetic + stored.elastic + stored.contact + std::abs(stored.dissipated()));
     return stored;
 }
 
 void Simulation::showPressing(bool on)
 {
-    m_state->showsPressing = on;
+    m_state->out.showsPressing = on;
 }
 
 void Simulation::State::addPressing(Snapshot& shot) const
 {
-    const ContactStep now{.duration = timeStep, .stickSpeed = isImplicit() ? 1.0 : 0.0}; // friction does not count
+    const ContactStep now{.duration = steps.length, .stickSpeed = isImplicit() ? 1.0 : 0.0}; // friction does not count
     std::vector<std::vector<Vec3>> forces = contacts->pressingForces(surfaces(), now);
     for (std::size_t b = 0; b < forces.size(); ++b)
         shot.bodies[b].pressing = std::make_shared<const std::vector<Vec3>>(std::move(forces[b]));
@@ -197,31 +197,31 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
 {
     State& state = *m_state;
     auto shot = std::make_shared<Snapshot>();
-    shot->resets = state.resets;
-    shot->step = state.step;
-    shot->time = state.time;
-    shot->timeStep = state.timeStep;
-    shot->stableStep = state.stableStep;
-    shot->integrator = state.integrator;
-    shot->wantedIntegrator = state.wantedIntegrator;
-    shot->integratorReason = state.integratorReason;
-    shot->pace = state.pace;
-    shot->solverIterations = state.isImplicit() ? state.solverIterations : 0;
-    shot->gravity = state.gravity;
-    shot->floorHeight = state.floorHeight;
-    shot->floorFriction = state.floorFriction;
-    shot->floorAdhesion = state.floorAdhesion;
-    shot->health = state.health;
-    shot->notice = state.notice;
-    shot->stages = state.clock.take();
+    shot->resets = state.commands.resets;
+    shot->step = state.steps.count;
+    shot->time = state.steps.time;
+    shot->timeStep = state.steps.length;
+    shot->stableStep = state.steps.stable;
+    shot->integrator = state.scheme.inUse;
+    shot->wantedIntegrator = state.scheme.wanted;
+    shot->integratorReason = state.scheme.reason;
+    shot->pace = state.scheme.pace;
+    shot->solverIterations = state.isImplicit() ? state.scheme.iterations : 0;
+    shot->gravity = state.around.gravity;
+    shot->floorHeight = state.around.floorHeight;
+    shot->floorFriction = state.around.floorFriction;
+    shot->floorAdhesion = state.around.floorAdhesion;
+    shot->health = state.watch.health;
+    shot->notice = state.out.notice;
+    shot->stages = state.out.clock.take();
     shot->contacts = state.contactReport.count;
     shot->energy = state.storedEnergy();
     shot->joints = state.contacts->joints().all().size();
     shot->components = state.components();
-    shot->penetration = std::max(state.penetration, state.deepestOverlap());
+    shot->penetration = std::max(state.out.penetration, state.deepestOverlap());
     shot->rest = state.rest.rests ? state.rest.count : 0;
-    shot->refills = state.refills;
-    shot->unsolvedSteps = state.unsolvedSteps;
+    shot->refills = state.refilling.count;
+    shot->unsolvedSteps = state.watch.unsolved;
     double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         BodyRun& run = *state.runs[b];
@@ -236,20 +236,23 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
             shot->angularMomentum += each.angular;
         }
     }
-    if (state.showsPressing)
+    if (state.out.showsPressing)
         state.addPressing(*shot);
-    shot->addedMass = allMass > 0 ? state.addedMass / allMass : 0;
+    shot->addedMass = allMass > 0 ? state.massScaling.added / allMass : 0;
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (state.tools[id])
             shot->tools.push_back(stateOf(id, *state.tools[id]));
-    shot->nextFixture = static_cast<FixtureId>(state.fixtures.size());
-    for (FixtureId id = 0; id < state.fixtures.size(); ++id)
-        if (state.fixtures[id]) {
-            shot->fixtures.push_back(*state.fixtures[id]);
+    shot->nextFixture = static_cast<FixtureId>(state.grips.fixtures.size());
+    for (FixtureId id = 0; id < state.grips.fixtures.size(); ++id)
+        if (state.grips.fixtures[id]) {
+            shot->fixtures.push_back(*state.grips.fixtures[id]);
             shot->fixtureIds.push_back(id);
-            shot->fixtureForces.push_back(id < state.fixtureForces.size() ? state.fixtureForces[id] : Vec3::Zero());
-            shot->fixtureMoments.push_back(id < state.fixtureMoments.size() ? state.fixtureMoments[id] : Vec3::Zero());
-            shot->fixtureCenters.push_back(id < state.fixtureCenters.size() ? state.fixtureCenters[id] : Vec3::Zero());
+            const auto of = [id](const std::vector<Vec3>& values) {
+                return id < values.size() ? values[id] : Vec3(Vec3::Zero());
+            };
+            shot->fixtureForces.push_back(of(state.grips.forces));
+            shot->fixtureMoments.push_back(of(state.grips.moments));
+            shot->fixtureCenters.push_back(of(state.grips.centers));
         }
     return shot;
 }

@@ -46,196 +46,227 @@ struct BodyRun {
     bool deforms() const { return kind == BodyKind::deformable; }
 };
 
+/// Objects that are held or moved, and what they feel. All per fixture; removed ones leave a gap.
+struct Grips {
+    std::vector<std::optional<Fixture>> fixtures;
+    std::vector<GripProgress> progress;
+    std::vector<Vec3> forces;  ///< of the material on it in the last step [N]
+    std::vector<Vec3> moments; ///< the same about the center [N m]
+    std::vector<Vec3> centers; ///< of its objects at rest [m]
+
+    bool turns(FixtureId id) const { return fixtures[id] && fixtures[id]->turn.turns(); }
+    double turnInStep(FixtureId id, double duration) const; ///< by which it turns in a step that begins now [rad]
+    void endTurns(double duration);                         ///< a step is over
+    void findCenters(const std::vector<Body>& bodies);
+};
+
+/// What a scene says once and for all.
+struct SceneChoices {
+    Touching touching = Touching::separate;
+    VicinityMethod vicinity = VicinityMethod::uniformGrid;
+    std::optional<double> timeStep; ///< [s]
+};
+
+/// See Scene::massScalingTimeStep.
+struct MassScaling {
+    std::optional<double> timeStep; ///< [s]
+    double added = 0;               ///< [kg]
+};
+
+/// How fast things move and have moved. Moments do not keep it: it begins anew from there.
+struct Travel {
+    double largest = 0;       ///< of any object in the last step [m]
+    double ofSurfaces = 0;    ///< of any tool [m]
+    double strayed = 0;       ///< of tools in the last implicit step from where candidates were listed for [m]
+    double fastestDriven = 0; ///< of tools and fixtures so far, since the start or going to a moment [m/s]
+    double lastKick = 0; ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
+    double recentCrowding = 0; ///< contacts at a time that an object had since the time step was looked at
+    bool wasOverdrawn = false; ///< energy came from nowhere at the last look
+};
+
+/// Bodies are filled anew where their cells go bad.
+struct Refilling {
+    bool isOn = true;
+    std::vector<std::shared_ptr<const Aggregate>> first; ///< fillings per body: as it was opened
+    std::uint64_t count = 0;                             ///< carried out since the start or going to a moment
+};
+
+/// What breaking leads to.
+struct Cracks {
+    bool areNew = false;                       ///< their sides do not touch yet
+    std::size_t components = 0;                ///< pieces of material
+    std::uint64_t version = ~std::uint64_t{0}; ///< of connections and joints when these were counted
+};
+
+/// What was told to do, and what was done.
+struct CommandLog {
+    std::deque<Command> pending;
+    std::vector<RecordedCommand> recording;
+    std::uint32_t resets = 0; ///< carried out since the last goTo()
+};
+
+/// For those who look at a run; nothing in it depends on them.
+struct Outputs {
+    Message notice;             ///< about the last command, empty when it was carried out
+    double penetration = 0;     ///< see Snapshot
+    bool showsPressing = false; ///< in snapshots
+    StageClock clock;
+};
+
 struct Simulation::State {
     explicit State(Scene scene);
 
-    // The stages of a step, in order.
-    void applyCommands();
+    // Stages of a step: simulation.cpp.
+    std::vector<RigidSurface> surfaces() const;
+    void turnTool(ToolRun& tool, const Quaternion& next) const;
     void moveManipulators();
     void updateVicinity();
     void touchWhereBroken();
     void bookTornSkin();
     std::size_t breakConnections();
-    void cutWithKnives();
-    std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
     void changeConnections();
-    static double workOfFlow(const StructuralConnections& connections);
+    void anneal();
     void computeForces();
-    void integrate();
+    void bookContacts();
+    void loadFixtures();
+    void tellFrictionApart();
+    double brakeShape(BodyId body, double duration);
     void limitTravel(double speed);
     void chooseNextStep(double speed);
+    void integrate();
+
+    // Steps of the implicit scheme, how long they are, and when they are taken: simulation_implicit.cpp.
+    void chooseIntegrator();
+    void setIntegrator(Integrator wanted);
+    double handStiffness(const Manipulator& manipulator) const;
+    Pose wantedPose(const ToolRun& tool, double duration) const;
+    double fastestSurface() const;
+    std::vector<ToolHand> beginHands();
+    void endHands(const std::vector<ToolHand>& hands);
+    double frameStep() const;
+    double longestImplicitStep() const;
+    void makeImplicit();
+    void countSolved(bool isSolved);
     void stepImplicitly();
+
+    // Load steps without inertia: simulation_static.cpp.
+    bool balance(double duration, TaskControl& control, StaticReport& report);
+    StaticReport findBalance(double duration, TaskControl& control);
+    StaticReport settle(double duration, TaskControl& control);
+
+    // Steps in which nothing moves: simulation_rest.cpp.
     std::vector<Pose> wantedPoses() const;
     bool isDriven() const;
     void watchRest();
     bool stepAtRest();
-    StaticReport findBalance(double duration, TaskControl& control);
-    bool balance(double duration, TaskControl& control, StaticReport& report);
-    StaticReport settle(double duration, TaskControl& control);
-    void countSolved(bool isSolved);
-    void checkHealth();
 
-    void carryOut(const Command& command);
-    void holdFixtures();
-    void bookContacts();
-    void loadFixtures();
-    void turnGrips();
-    void endTurns();
-    void forgetTurns(Moment& moment) const;
-    bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
-    double turnInStep(FixtureId fixture) const;
-    Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
-    void findFixtureCenters();
+    // Loads: simulation_loads.cpp.
     double addLoads(double at);
     void bookLoadsBefore();
     void bookLoadsAfter();
-    void chooseIntegrator();
-    void setIntegrator(Integrator chosen);
-    double frameStep() const;
-    double longestImplicitStep() const;
-    double handStiffness(const Manipulator& manipulator) const;
-    Pose wantedPose(const ToolRun& tool, double duration) const;
-    static bool isStalled(const ToolRun& tool, const Vec3& way);
-    double fastestSurface() const;
-    void turnTool(ToolRun& tool, const Quaternion& next) const;
-    Box materialBox() const;
-    struct ToolPlace;
-    std::vector<ToolPlace> toolPlaces() const;
-    std::vector<ToolHand> beginHands();
-    void endHands(const std::vector<ToolHand>& hands);
-    std::size_t limitedTools() const;
-    void makeImplicit();
-    std::uint64_t every(std::uint64_t steps) const { return isImplicit() ? 1 : steps; }
-    bool isImplicit() const { return integrator == Integrator::implicitEuler; }
-    void tellFrictionApart();
-    void setMasses();
-    void setMass(std::size_t body);
-    void scaleMasses(BodyRun& run);
-    void requireDamping(const MaterialMap& materials, Integrator chosen) const;
-    void updateTimeStep();
-    void placeAtStart();
-    void setKind(BodyId body, BodyKind kind);
-    void anneal();
-    std::vector<RigidSurface> surfaces() const;
-    EnergyLedger storedEnergy();
-    std::vector<Contacts::BodyView> contactBodies();
-    void addPressing(Snapshot& shot) const;
-    Moment moment() const;
-    bool isOfThisScene(const Moment& moment) const;
-    void restore(const Moment& moment);
+
+    // Grips that turn: simulation_grips.cpp.
+    bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
+    void turnGrips();
+    void forgetTurns(Moment& moment) const;
+    Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
+
+    // Knives and planes: simulation_cutting.cpp.
+    void cutWithKnives();
+    std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
+
+    // Filling bodies anew: simulation_refill.cpp.
     Message whyNotRefilled(BodyId body) const;
+    bool isFirstFilling(BodyId body) const;
+    std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void carryObjects(BodyId body, const BodyRun& before, bool wasFirst, const std::vector<ObjectIndex>& oldOfNew);
     void takeContacts(const Contacts::Memory& memory);
     std::unique_ptr<BodyRun> takeFilling(BodyId body, const NewFilling& filling,
                                          StructuralConnections::Changes changes);
-    std::vector<GrownTogether> grownTogether(BodyId body) const;
-    std::vector<Vec3> displacementsOf(BodyId body) const;
-    double gapingVolume(BodyId body) const;
-    bool isFirstFilling(BodyId body) const;
-    std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void takeLoads(BodyId body);
     Contacts::Report lookAtContacts();
-    MovePlaces outOfTools(BodyId body) const;
     void refill(BodyId body, double spacing);
     void refillWhereBad();
     void takeFirstFilling(BodyId body);
+
+    // Commands: simulation_commands.cpp.
+    void setKind(BodyId body, BodyKind kind);
+    void carryOut(const Command& command);
+    void applyCommands();
+
+    // The start: masses, fixtures, the stable step: simulation_setup.cpp.
+    void requireDamping(const MaterialMap& materials, Integrator integrator) const;
+    void setMasses();
+    void setMass(std::size_t body);
+    void scaleMasses(BodyRun& run);
+    void holdFixtures();
+    void updateTimeStep();
+    std::vector<Contacts::BodyView> contactBodies();
+    void placeAtStart();
+
+    // Moments: simulation_moment.cpp.
+    Moment moment() const;
+    bool isOfThisScene(const Moment& moment) const;
+    void restore(const Moment& moment);
     void restoreBodies(const Moment& moment);
-    void restoreContacts(const Moment& moment);
     void keepMoment();
     void goTo(MomentPointer moment);
+
+    // What goes wrong is found, named and undone: simulation_health.cpp.
     void stop(const Message& cause, Trouble trouble);
     Message squashedBody();
-    double releasedSpeed(const BodyRun& run) const;
-    double fastestSensible(BodyId body) const;
+    std::pair<Trouble, Message> lookClosely();
+    std::pair<Trouble, Message> findTrouble();
+    void findTimeStep();
+    void checkHealth();
+    const Pieces& piecesOf(BodyId body);
+    std::size_t components();
+
+    // What a run is measured by: simulation_watch.cpp.
     Message runawayCause() const;
     Message energyCause();
     Message unsolvedCause() const;
     Message remedy() const;
-    struct Overlap {
-        double depth = 0; ///< [m]; 0: none
-        ToolId tool = 0;
-        BodyId body = 0;
-    };
-    double depthOf(const RigidSurface& surface, BodyId body) const;
-    Overlap deepestTool() const;
     double deepestOverlap() const;
     void noteToolsInside();
     void bookToolsInside();
     void bookPlaced(const Contacts::Report& report);
-    void findTimeStep();
-    std::pair<Trouble, Message> lookClosely();
-    std::pair<Trouble, Message> findTrouble();
-    std::size_t components();
-    const Pieces& piecesOf(BodyId body);
-    double brakeShape(BodyId body, double duration);
 
-    std::vector<Body> bodies;                                    ///< present materials and fillings
-    std::vector<std::shared_ptr<const Aggregate>> firstFillings; ///< per body: as it was opened
-    bool refilling = true;                                       ///< bodies are filled anew where their cells go bad
-    std::uint64_t refills = 0;                                   ///< carried out since the start or going to a moment
-    Vec3 gravity = Vec3::Zero();
-    std::optional<double> floorHeight;
-    double floorFriction = 0;
-    double floorAdhesion = 0;
-    Touching touching = Touching::separate;
-    Integrator wantedIntegrator = Integrator::semiImplicitEuler;
-    Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
-    Message integratorReason;
-    std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
-    int solverIterations = 0;                ///< of the last implicit step
-    Pace pace = Pace::full;
-    VicinityMethod vicinity = VicinityMethod::uniformGrid;
-    std::optional<double> wantedTimeStep;
-    std::optional<double> massScalingTimeStep;
+    // What is told of it: simulation_snapshot.cpp.
+    EnergyLedger storedEnergy();
+    void addPressing(Snapshot& shot) const;
+
+    std::uint64_t every(std::uint64_t interval) const { return isImplicit() ? 1 : interval; }
+    bool isImplicit() const { return scheme.isImplicit(); }
+
+    // What there is, and what acts on it.
+    std::vector<Body> bodies;                   ///< present materials and fillings
     std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
-    std::vector<std::optional<Fixture>> fixtures;
-    std::vector<Vec3> fixtureForces;  ///< per fixture: of the material on it in the last step [N]
-    std::vector<Vec3> fixtureMoments; ///< the same about the center of its objects at rest [N m]
-    std::vector<Vec3> fixtureCenters; ///< per fixture: of its objects at rest, about which that moment is [m]
-    std::vector<GripProgress> gripProgress;
+    Grips grips;
     ActingLoads loads;
     std::vector<Annealing> annealings;
+    Surroundings around;
     std::unique_ptr<Contacts> contacts;
-    Contacts::Report contactReport;
+    Contacts::Report contactReport; ///< of the last step
 
-    std::deque<Command> pending;
-    std::vector<RecordedCommand> recording;
-    std::uint32_t resets = 0; ///< carried out since the last goTo()
-    std::uint64_t step = 0;
-    double time = 0;
-    double timeStep = 0;
-    double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
-    double lastKick = 0;   ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
-    double stableStep = 0; ///< largest stable one at the last look [s]
-    double crowding = 1;   ///< contacts at a time that the time step allows an object
-    double recentCrowding = 0;       ///< contacts at a time that an object had since the time step was looked at
-    double fastestDriven = 0;        ///< of tools and fixtures so far, since the start or going to a moment [m/s]
-    std::uint64_t unsolvedSteps = 0; ///< implicit ones so far
-    std::uint32_t unsolvedInRow = 0; ///< the last ones
-    double penetration = 0;          ///< see Snapshot
-    bool isPlacedInside = false;     ///< a tool or the floor was put into material, and that is not booked yet
-    double placedEnergy = 0;         ///< stored in contacts by that so far [J]
-    double largestTravel = 0;        ///< of any object in the last step [m]
-    double surfaceTravel = 0;
-    double strayed = 0;     ///< of tools in the last implicit step from where candidates were listed for [m]
-    double addedMass = 0;   ///< by mass scaling [kg]
-    double startEnergy = 0; ///< stored at the start [J]
-    /// What of the stored energy is not known right after going to a moment, since the forces of the last step are gone [J]:
-    /// the ledger counts it until the next step.
-    double unknownEnergy = 0;
-    EnergyLedger energy; ///< what came in and went out is kept up to date
-    bool newlyBroken = false;
-    bool wasSquashed = false;  ///< at the last look
-    bool wasOverdrawn = false; ///< energy came from nowhere at the last look; begins anew from a moment
-    std::size_t knownComponents = 0;
-    std::uint64_t componentsVersion = ~std::uint64_t{0};
-    Health health;
+    // How it goes on.
+    SceneChoices chosen;
+    Scheme scheme;
+    std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
+    StepTimes steps;
+    Travel travel;
+    MassScaling massScaling;
+    Refilling refilling;
+    Cracks cracks;
     RestWatch rest;
-    StageClock clock;
-    bool showsPressing = false; ///< in snapshots
-    Message notice;             ///< about the last command, empty when it was carried out
-    MomentPointer lastGood;     ///< to go back to in trouble; never null
+
+    // What is made of it.
+    Accounts accounts;
+    RunWatch watch;
+    CommandLog commands;
+    Outputs out;
+    MomentPointer lastGood; ///< to go back to in trouble; never null
 };
 
 /// Why a body cannot be simulated; empty when it can.

@@ -1,4 +1,5 @@
 // Load steps without inertia.
+#include "core/integration/solver_settings.h"
 #include "core/integration/static_equilibrium.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
@@ -13,15 +14,6 @@ namespace knead {
 namespace {
 
 constexpr double longestLoadStep = 3600; // [s]
-// A load step is gone in so many halvings of itself at most.
-constexpr int mostParts = 6;
-
-// A body that went further than this, in diagonals, is held by nothing in some direction.
-constexpr double lostShare = 10;
-
-// Where there is something to meet, no object goes further than this at a time [spacings], or it would pass by.
-constexpr double shareOfSpacing = 0.5;
-
 Message subjectOf(const Body& body)
 {
     return body.name.empty() ? Message("Balance", "The body") : Message::verbatim("\"" + body.name + "\"");
@@ -48,7 +40,7 @@ double diagonalOf(const std::vector<Body>& bodies)
 /// One part of a load step. @return whether there is balance at its end; else the state is anything
 bool Simulation::State::balance(double duration, TaskControl& control, StaticReport& report)
 {
-    timeStep = duration;
+    steps.length = duration;
     const double imbalance = storedEnergy().imbalance;
     changeConnections();
     for (auto& run : runs)
@@ -78,48 +70,48 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
         surface.angularVelocity *= slower;
     }
     StaticEquilibrium::Loads acting{
-        .contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}, .flowTime = duration};
-    acting.moved = [&](double travel) { contacts->updateVicinity(moved, travel, 0); };
+        .contacts = contacts.get(), .surfaces = moved, .gravity = around.gravity, .add = {}, .flowTime = duration};
+    acting.moved = [&](double way) { contacts->updateVicinity(moved, way, 0); };
     acting.moved(gripTravel);
     if (!moved.empty() || bodies.size() > 1)
-        acting.farthestStep = shareOfSpacing * smallestSpacing(bodies);
+        acting.farthestStep = solverSettings.balance.farthestStep * smallestSpacing(bodies);
     if (!loads.empty())
-        acting.add = [&] { return addLoads(time + duration); };
+        acting.add = [&] { return addLoads(steps.time + duration); };
     const StaticEquilibrium::Report found = equilibrium.solve(acting, start, {.control = &control});
     report.residual = found.residual;
     report.iterations += found.newtonIterations;
-    solverIterations = found.iterations;
+    scheme.iterations = found.iterations;
     if (found.isFree)
         report.message = Message(
             "Balance", "A body is free to move: hold it, or let time run (dynamic) until it rests on something.");
-    if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
+    if (!found.converged || found.farthest > solverSettings.balance.lostShare * diagonalOf(bodies))
         return false;
-    isPlacedInside = false; // all that was put into material has been pushed out
+    watch.isPlacedInside = false; // all that was put into material has been pushed out
     for (auto& run : runs) {
-        energy.plastic += run->connections.flowWork();
+        accounts.energy.plastic += run->connections.flowWork();
         run->connections.acceptFlow();
     }
 
     // Forces and ways belong together: the work of the forces at the end on the way there.
-    timeStep = equilibrium.waySeconds();
+    steps.length = equilibrium.waySeconds();
     contactReport = found.contacts;
     bookContacts();
     tellFrictionApart();
     bookLoadsAfter();
-    timeStep = duration;
+    steps.length = duration;
     for (auto& run : runs)
         for (std::size_t i = 0; i < run->state.size(); ++i)
             run->state.velocity.set(i, run->state.velocity.at(i) / slower);
     loadFixtures();
-    endTurns();
+    grips.endTurns(steps.length);
     for (auto& run : runs)
         run->state.velocity.setZero();
     holdFixtures();
-    lastStep = lastKick = duration;
-    unknownEnergy = 0;
-    time += duration;
-    energy.numerical -= storedEnergy().imbalance - imbalance;
-    largestTravel = found.farthest;
+    steps.last = travel.lastKick = duration;
+    accounts.unknown = 0;
+    steps.time += duration;
+    accounts.energy.numerical -= storedEnergy().imbalance - imbalance;
+    travel.largest = found.farthest;
     return true;
 }
 
@@ -142,20 +134,20 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
             return report;
         }
     const Moment before = moment();
-    const double end = time + duration;
+    const double end = steps.time + duration;
     double part = duration;
-    for (int halvings = 0; end - time > 1e-9 * duration;) {
+    for (int halvings = 0; end - steps.time > 1e-9 * duration;) {
         const Moment here = moment();
-        if (balance(std::min(part, end - time), control, report)) {
+        if (balance(std::min(part, end - steps.time), control, report)) {
             ++report.parts;
             continue;
         }
         restore(here);
-        if (!report.message.empty() || ++halvings > mostParts)
+        if (!report.message.empty() || ++halvings > solverSettings.balance.mostParts)
             break;
         part /= 2;
     }
-    report.converged = end - time <= 1e-9 * duration;
+    report.converged = end - steps.time <= 1e-9 * duration;
     if (!report.converged) {
         restore(before);
         if (report.message.empty())
@@ -166,8 +158,8 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
                     .with(std::to_string(end), inScientific(report.residual));
         return report;
     }
-    ++step;
-    timeStep = duration; // events are due at the nearest load step
+    ++steps.count;
+    steps.length = duration; // events are due at the nearest load step
     return report;
 }
 
@@ -175,7 +167,7 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
 /// that is kept, so that the state is the same whether it was tried and given up or not.
 StaticReport Simulation::State::settle(double duration, TaskControl& control)
 {
-    const Integrator wanted = wantedIntegrator;
+    const Integrator wanted = scheme.wanted;
     keepMoment();
     const MomentPointer before = lastGood;
     StaticReport report;
@@ -187,8 +179,8 @@ StaticReport Simulation::State::settle(double duration, TaskControl& control)
     }
     if (report.converged)
         checkHealth();
-    if (!health.ok)
-        report = {.message = health.message};
+    if (!watch.health.ok)
+        report = {.message = watch.health.message};
     if (report.converged)
         setIntegrator(wanted);
     else
@@ -202,10 +194,10 @@ StaticReport Simulation::settle(const FindBalance& command, TaskControl& control
     State& state = *m_state;
     control.throwIfCancelled();
     state.applyCommands();
-    if (!state.health.ok)
-        return {.message = state.health.message};
-    const std::uint64_t before = state.step;
-    const auto record = [&](const Command& done) { state.recording.push_back({before, done}); };
+    if (!state.watch.health.ok)
+        return {.message = state.watch.health.message};
+    const std::uint64_t before = state.steps.count;
+    const auto record = [&](const Command& done) { state.commands.recording.push_back({before, done}); };
     try {
         StaticReport report = state.settle(command.duration, control);
         record(report.converged ? Command(command) : Command(KeepMoment{}));
@@ -219,13 +211,13 @@ StaticReport Simulation::settle(const FindBalance& command, TaskControl& control
 StaticReport Simulation::findBalance(double duration)
 {
     m_state->applyCommands();
-    if (!m_state->health.ok)
-        return {.message = m_state->health.message};
+    if (!m_state->watch.health.ok)
+        return {.message = m_state->watch.health.message};
     StaticReport report = m_state->findBalance(duration, TaskControl::none());
     if (report.converged) {
         m_state->checkHealth();
-        if (!m_state->health.ok)
-            return {.message = m_state->health.message};
+        if (!m_state->watch.health.ok)
+            return {.message = m_state->watch.health.message};
     }
     return report;
 }

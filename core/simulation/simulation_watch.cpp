@@ -78,10 +78,9 @@ double soundSpeedOf(const BodyRun& run)
     return run.materials.largest([](const Material& material) { return material.soundSpeed(); });
 }
 
-} // namespace
-
 /// What a body's material makes of what is stored in it [m/s].
-double Simulation::State::releasedSpeed(const BodyRun& run) const
+/// @param placedEnergy stored by what was put into material [J]
+double releasedSpeed(const BodyRun& run, double placedEnergy)
 {
     if (placedEnergy > 0) // contacts may have stored anything
         return mostSoundSpeeds * soundSpeedOf(run);
@@ -93,28 +92,65 @@ double Simulation::State::releasedSpeed(const BodyRun& run) const
 }
 
 /// What moves the body, and what its material can let go of, makes nothing in it faster than this [m/s].
-double Simulation::State::fastestSensible(BodyId body) const
+double fastestSensible(const BodyRun& run, double placedEnergy, double fastestDriven)
 {
-    const BodyRun& run = *runs[body];
-    const double released = releasedSpeed(run);
+    const double released = releasedSpeed(run, placedEnergy);
     const double driven = std::max(fastestDriven, rigidSpeed(run.state));
     return plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(run), drivenFactor * driven + released);
 }
 
+/// Of a surface in a body [m].
+double depthOf(const Simulation::State& state, const RigidSurface& surface, BodyId body)
+{
+    return std::max(state.contacts->deepest(body, surface),
+                    overlapOf(surface, state.runs[body]->state.position, *state.bodies[body].aggregate));
+}
+
+/// Of a tool in a body.
+struct Overlap {
+    double depth = 0; ///< [m]; 0: none
+    ToolId tool = 0;
+    BodyId body = 0;
+};
+
+/// The tool that is deepest in material now.
+Overlap deepestTool(const Simulation::State& state)
+{
+    const std::vector<RigidSurface> all = state.surfaces();
+    Overlap deepest;
+    std::size_t surface = 0;
+    for (ToolId t = 0; t < state.tools.size(); ++t) {
+        if (!state.tools[t])
+            continue;
+        for (BodyId b = 0; b < state.runs.size(); ++b) {
+            if (state.runs[b]->kind == BodyKind::glue) // it touches no tools
+                continue;
+            const double depth = depthOf(state, all[surface], b);
+            if (depth > deepest.depth)
+                deepest = {.depth = depth, .tool = t, .body = b};
+        }
+        ++surface;
+    }
+    return deepest;
+}
+
+} // namespace
+
 /// Empty when no object is too fast.
 Message Simulation::State::runawayCause() const
 {
-    const double speed = largestTravel / lastStep;
+    const double speed = travel.largest / steps.last;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& run : runs) // a bound that needs no look at the objects
-        least = std::min(least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run)));
+        least = std::min(
+            least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run, accounts.placed)));
     if (speed <= least)
         return {};
     for (BodyId b = 0; b < runs.size(); ++b) {
         const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : largestSpeed(runs[b]->state);
         if (fastest <= least)
             continue;
-        const double limit = fastestSensible(b);
+        const double limit = fastestSensible(*runs[b], accounts.placed, travel.fastestDriven);
         if (fastest <= limit)
             continue;
         return Message("Run",
@@ -130,36 +166,36 @@ Message Simulation::State::runawayCause() const
 Message Simulation::State::energyCause()
 {
     const EnergyLedger now = storedEnergy();
-    energy.turnover = now.turnover;
+    accounts.energy.turnover = now.turnover;
     double negligible = roundingShare * std::abs(now.gravity);
     for (BodyId b = 0; b < runs.size(); ++b)
         if (runs[b]->deforms())
             negligible += 0.5 * negligibleStrain * negligibleStrain * bodies[b].aggregate->filledVolume *
                           runs[b]->materials.largest([](const Material& material) { return material.youngsModulus; });
-    const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * energy.turnover;
-    if (!std::exchange(wasOverdrawn, isOverdrawn) || !isOverdrawn)
+    const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * accounts.energy.turnover;
+    if (!std::exchange(travel.wasOverdrawn, isOverdrawn) || !isOverdrawn)
         return {};
     return Message("Run",
                    "%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise "
                    "the damping ratio, then reset.")
-        .with(rounded(now.created()), rounded(energy.turnover), remedy());
+        .with(rounded(now.created()), rounded(accounts.energy.turnover), remedy());
 }
 
 /// Empty as long as most steps could be solved.
 Message Simulation::State::unsolvedCause() const
 {
-    if (unsolvedInRow < mostUnsolvedSteps)
+    if (watch.unsolvedInRow < mostUnsolvedSteps)
         return {};
     return Message("Run",
                    "the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or "
                    "raise the damping ratio, then reset.")
-        .with(unsolvedInRow, rounded(lastStep), remedy());
+        .with(watch.unsolvedInRow, rounded(steps.last), remedy());
 }
 
 /// What is most likely wrong, as something to do.
 Message Simulation::State::remedy() const
 {
-    const Overlap overlap = deepestTool();
+    const Overlap overlap = deepestTool(*this);
     if (overlap.depth > 2 * insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return Message("Run",
                        "The tool \"%1\" is %2 mm deep in %3: let it begin outside and press less far, make it slower")
@@ -168,40 +204,13 @@ Message Simulation::State::remedy() const
     for (const auto& run : runs)
         for (const double each : run->state.mass)
             mass += each;
-    if (addedMass > heavyShare * mass)
+    if (massScaling.added > heavyShare * mass)
         return Message("Run", "Choose a shorter time step for mass scaling, which added %1 % to the mass")
-            .with(rounded(100 * addedMass / (mass - addedMass)));
+            .with(rounded(100 * massScaling.added / (mass - massScaling.added)));
     const bool hasTools = std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
-    return hasTools                  ? Message("Run", "Make the tools slower")
-           : gravity != Vec3::Zero() ? Message("Run", "Lower gravity")
-                                     : Message("Run", "Move bodies and fixtures slower");
-}
-
-/// Of a surface in a body [m].
-double Simulation::State::depthOf(const RigidSurface& surface, BodyId body) const
-{
-    return std::max(contacts->deepest(body, surface),
-                    overlapOf(surface, runs[body]->state.position, *bodies[body].aggregate));
-}
-
-Simulation::State::Overlap Simulation::State::deepestTool() const
-{
-    const std::vector<RigidSurface> all = surfaces();
-    Overlap deepest;
-    std::size_t surface = 0;
-    for (ToolId t = 0; t < tools.size(); ++t) {
-        if (!tools[t])
-            continue;
-        for (BodyId b = 0; b < runs.size(); ++b) {
-            if (runs[b]->kind == BodyKind::glue) // it touches no tools
-                continue;
-            const double depth = depthOf(all[surface], b);
-            if (depth > deepest.depth)
-                deepest = {.depth = depth, .tool = t, .body = b};
-        }
-        ++surface;
-    }
-    return deepest;
+    return hasTools                         ? Message("Run", "Make the tools slower")
+           : around.gravity != Vec3::Zero() ? Message("Run", "Lower gravity")
+                                            : Message("Run", "Move bodies and fixtures slower");
 }
 
 /// Of tools and the floor now [spacings].
@@ -211,18 +220,18 @@ double Simulation::State::deepestOverlap() const
     for (const RigidSurface& surface : surfaces())
         for (BodyId b = 0; b < runs.size(); ++b)
             if (runs[b]->kind != BodyKind::glue)
-                deepest = std::max(deepest, depthOf(surface, b) / bodies[b].aggregate->lattice.spacing);
+                deepest = std::max(deepest, depthOf(*this, surface, b) / bodies[b].aggregate->lattice.spacing);
     return deepest;
 }
 
 /// Tools that were just put somewhere, and the floor.
 void Simulation::State::noteToolsInside()
 {
-    isPlacedInside = isPlacedInside || deepestOverlap() > 0;
-    const Overlap overlap = deepestTool();
+    watch.isPlacedInside = watch.isPlacedInside || deepestOverlap() > 0;
+    const Overlap overlap = deepestTool(*this);
     if (overlap.depth == 0 || overlap.depth <= insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return;
-    notice =
+    out.notice =
         Message("Run", "The tool \"%1\" begins %2 mm inside %3, which is pushed away with great force, in very short "
                        "steps. Let it begin outside.")
             .with(tools[overlap.tool]->manipulator.name, rounded(1e3 * overlap.depth), nameOf(bodies[overlap.body]));
@@ -231,15 +240,15 @@ void Simulation::State::noteToolsInside()
 /// Tools that were put into material begin without force, and push it out from here on.
 void Simulation::State::bookToolsInside()
 {
-    if (std::exchange(isPlacedInside, false))
+    if (std::exchange(watch.isPlacedInside, false))
         contacts->keepInside(surfaces());
 }
 
 /// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
 void Simulation::State::bookPlaced(const Contacts::Report& report)
 {
-    startEnergy += report.placed;
-    placedEnergy += report.placed;
+    accounts.atStart += report.placed;
+    accounts.placed += report.placed;
 }
 
 } // namespace knead

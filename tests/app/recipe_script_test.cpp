@@ -43,7 +43,8 @@ private slots:
         QVERIFY(playToEnd(*run.simulation, *run.script));
         const Gesture gesture = endGesture(*run.simulation);
         QVERIFY(gesture.commands.size() >= 10);
-        const Simulation again = replay(Simulation(run.start.start.scene), gesture.commands, gesture.moment->step);
+        const Simulation again =
+            replay(Simulation(run.start.start.scene), gesture.commands, gesture.moment->steps.count);
         QCOMPARE(again.stateHash(), gesture.hash);
         QCOMPARE(gesture.hash, hashOfRunning(recipe));
     }
@@ -85,7 +86,7 @@ private slots:
             run.script->wentTo(*gesture->moment, gesture->hash);
             QVERIFY(playToEnd(*run.simulation, *run.script));
             QCOMPARE(run.simulation->snapshot()->tools.size(), std::size_t{1});
-            QCOMPARE(gestureOf(run).moment->gravity.z(), -2.0);
+            QCOMPARE(gestureOf(run).moment->around.gravity.z(), -2.0);
         }
         run.simulation->goTo(first.moment);
         run.script->wentTo(*first.moment, first.hash);

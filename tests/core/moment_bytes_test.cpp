@@ -115,7 +115,7 @@ std::size_t firstDifference(const Bytes& one, const Bytes& other)
 /// How much of a moment's bytes comes at the end in all versions.
 std::ptrdiff_t restOf(const Moment& moment)
 {
-    return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.english().size());
+    return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.watch.health.message.english().size());
 }
 
 using Stretches = std::vector<std::pair<std::size_t, std::ptrdiff_t>>; // where, and how much
@@ -155,7 +155,7 @@ Bytes beforeSticking(const Moment& moment)
             });
         }
     }
-    forget(8, [&](Moment& other) { other.floorAdhesion = inverted(other.floorAdhesion); });
+    forget(8, [&](Moment& other) { other.around.floorAdhesion = inverted(other.around.floorAdhesion); });
     for (std::size_t h = 0; h < moment.contacts.holds.size(); ++h)
         forget(1, [&](Moment& other) {
             bool& sticks = other.contacts.holds[h].friction.sticks;
@@ -329,7 +329,7 @@ private slots:
         putSizes(old, 7);
         const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
         QCOMPARE(momentHash(read), momentHash(*middle.moment));
-        QCOMPARE(read.floorAdhesion, 0.0);
+        QCOMPARE(read.around.floorAdhesion, 0.0);
     }
 
     void momentsOfTheSixthVersionAreRead()
@@ -359,7 +359,7 @@ private slots:
         putSizes(old, 4);
         const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
         QCOMPARE(momentHash(read), momentHash(*middle.moment));
-        QCOMPARE(read.pace, Pace::full);
+        QCOMPARE(read.scheme.pace, Pace::full);
     }
 
     void momentsOfTheThirdVersionAreRead()

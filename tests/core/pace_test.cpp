@@ -154,12 +154,12 @@ private slots:
         for (int n = 0; n < 3; ++n)
             simulation.step();
         const Gesture first = endGesture(simulation);
-        QCOMPARE(first.moment->pace, Pace::wide);
+        QCOMPARE(first.moment->scheme.pace, Pace::wide);
         for (int n = 0; n < 3; ++n)
             simulation.step();
         const std::uint64_t hash = simulation.stateHash();
 
-        Simulation other = replay(Simulation(scene), first.commands, first.moment->step);
+        Simulation other = replay(Simulation(scene), first.commands, first.moment->steps.count);
         QCOMPARE(other.stateHash(), first.hash);
         for (int n = 0; n < 3; ++n)
             other.step();

@@ -170,7 +170,7 @@ private slots:
             const Vec3 thrown(1, 2, 3);
             moment.bodies[0].velocity.set(last, thrown);
             const double mass = scene.bodies[0].material.density * aggregate.volume[last];
-            moment.startEnergy += 0.5 * mass * thrown.squaredNorm(); // or it would come from nowhere
+            moment.accounts.atStart += 0.5 * mass * thrown.squaredNorm(); // or it would come from nowhere
         });
         QCOMPARE(simulation.components(), std::size_t{2});
         const ObjectIndex last = static_cast<ObjectIndex>(scene.bodies[0].aggregate->size() - 1);

@@ -236,12 +236,12 @@ private slots:
         Simulation simulation(scene);
         simulation.step();
         QCOMPARE(simulation.snapshot()->unsolvedSteps, std::uint64_t{0});
-        scenes::changeState(simulation, [](Moment& moment) { moment.unsolvedInRow = moment.unsolvedSteps = 7; });
+        scenes::changeState(simulation, [](Moment& moment) { moment.watch.unsolvedInRow = moment.watch.unsolved = 7; });
         QCOMPARE(simulation.snapshot()->unsolvedSteps, std::uint64_t{7});
         simulation.step();
         QVERIFY(simulation.health().ok);
         QCOMPARE(simulation.snapshot()->unsolvedSteps, std::uint64_t{7});
-        QCOMPARE(simulation.keepMoment()->unsolvedInRow, std::uint32_t{0}); // one that is solved ends the row
+        QCOMPARE(simulation.keepMoment()->watch.unsolvedInRow, std::uint32_t{0}); // one that is solved ends the row
         simulation.post(Reset{});
         simulation.applyCommands();
         QCOMPARE(simulation.snapshot()->unsolvedSteps, std::uint64_t{0});

@@ -37,8 +37,8 @@ public:
             simulation.post(SetGravity{Vec3(0, 2, 0)});
         return simulation.stepCount() == end && !std::exchange(m_hasEnded, true);
     }
-    void ended(const Gesture& gesture) override { m_last = gesture.moment->step; }
-    void wentTo(const Moment& moment, std::uint64_t) override { m_hasEnded = moment.step > m_last; }
+    void ended(const Gesture& gesture) override { m_last = gesture.moment->steps.count; }
+    void wentTo(const Moment& moment, std::uint64_t) override { m_hasEnded = moment.steps.count > m_last; }
 
 private:
     bool m_hasEnded = false;
@@ -236,7 +236,7 @@ private slots:
         QVERIFY(std::holds_alternative<Reset>(gesture.commands[0].command));
         QCOMPARE(gesture.commands[0].step, std::uint64_t{1});
         QVERIFY(std::holds_alternative<KeepMoment>(gesture.commands[1].command));
-        QCOMPARE(gesture.moment->step, std::uint64_t{1});
+        QCOMPARE(gesture.moment->steps.count, std::uint64_t{1});
     }
 
     void gesturesThatEndWhilePlayingRepeat()
@@ -253,7 +253,7 @@ private slots:
         for (int i = 0; i < 3; ++i) {
             const Gesture gesture = gestures.next();
             QCOMPARE(gesture.commands.size(), std::size_t{2}); // what was posted before belongs to it
-            simulation = replay(std::move(simulation), gesture.commands, gesture.moment->step);
+            simulation = replay(std::move(simulation), gesture.commands, gesture.moment->steps.count);
             QCOMPARE(simulation.stateHash(), gesture.hash);
         }
     }

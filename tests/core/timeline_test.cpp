@@ -278,7 +278,7 @@ private slots:
         navigation.start.start.scene = scene;
         for (std::uint32_t run = 0; run < 2; ++run) {
             const Branch branch = navigation.branch(gesture.commands, run, 10, TaskControl::none());
-            QCOMPARE(branch.gesture.moment->step, std::uint64_t{10});
+            QCOMPARE(branch.gesture.moment->steps.count, std::uint64_t{10});
             QCOMPARE(branch.gesture.hash, hashes[run]);
             QCOMPARE(resetsIn(branch.gesture.commands), run);
         }

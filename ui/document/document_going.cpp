@@ -264,10 +264,10 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
     const std::uint32_t resets = resetsIn(branch.gesture.commands);
-    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->time)))(std::move(branch.gesture));
+    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->steps.time)))(std::move(branch.gesture));
     goInSimulation(moment);
-    if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
-        m_playback.repeat(from, moment->step, resets);
+    if (resets > 0 || moment->steps.count > m_history.tree().record(m_target).step)
+        m_playback.repeat(from, moment->steps.count, resets);
 }
 
 /// What the window keeps besides the simulation becomes what it is at a moment.
@@ -277,7 +277,7 @@ void Document::follow(const Moment& moment)
     m_fixtures.follow(*m_content, moment.fixtures);
     m_toolCount.clear();
     m_toolToSelect.clear();
-    m_gesture = {.begin = moment.time};
+    m_gesture = {.begin = moment.steps.time};
     const bool isGone = // with the filling that it was of
         (m_selection.kind == Selection::Kind::Region && m_selected->region().isEmpty()) ||
         (m_selection.kind == Selection::Kind::Body && m_selection.id >= m_content->bodies.size());

@@ -25,8 +25,8 @@ HistoryRecord bareRecord(const Gesture& gesture, const Message& words)
     return {.name = words.english(),
             .words = words,
             .commands = gesture.commands,
-            .step = gesture.moment->step,
-            .time = gesture.moment->time,
+            .step = gesture.moment->steps.count,
+            .time = gesture.moment->steps.time,
             .hash = gesture.hash};
 }
 
