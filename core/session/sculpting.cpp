@@ -17,8 +17,8 @@ constexpr double pinchedWay = 0.4;     // that they go towards the middle, of th
 constexpr double levelingRadius = 3;   // of the ball that smooths, in those of the brush
 constexpr double fewestSpacings = 1.2; // a patch reaches at least so far
 constexpr double patchStrength = 3;    // of a patch that is to flow, in limits of a spring that pulls it visibly
-constexpr double heldShare = 0.6;      // what is farther than this share of the farthest is held by the other hand ...
-constexpr double heldRadii = 3;        // ... and farther than so many radii
+constexpr double otherHandFrom = 0.6;  // what is farther than this share of the farthest is held by the other hand ...
+constexpr double otherHandRadii = 3;   // ... and farther than so many radii
 constexpr double smoothing = 0.5;      // share of the newest force: waves pass through
 constexpr double worthTelling = 0.02;  // of the largest speed
 constexpr double arrived = 0.02;       // a lifted finger has, so near, in its radii
@@ -180,7 +180,7 @@ void SculptStroke::addHold(const Snapshot& now)
     double farthest = 0;
     for (const Vec3& position : positions)
         farthest = std::max(farthest, distance(position));
-    const double from = std::max(heldShare * farthest, heldRadii * m_choice.radius);
+    const double from = std::max(otherHandFrom * farthest, otherHandRadii * m_choice.radius);
     Fixture hold{.body = m_body};
     for (ObjectIndex object = 0; object < positions.size(); ++object)
         if (distance(positions[object]) > from)
