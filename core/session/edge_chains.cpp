@@ -1,8 +1,9 @@
 #include "core/session/edge_chains.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <unordered_map>
 
@@ -40,29 +41,6 @@ std::unordered_map<Key, Key> sidesOf(const TriangleMesh& mesh, const RenderMesh&
     return sides;
 }
 
-class Chains {
-public:
-    explicit Chains(std::size_t edges)
-        : m_parent(edges)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t edge)
-    {
-        while (m_parent[edge] != edge)
-            edge = m_parent[edge] = m_parent[m_parent[edge]];
-        return edge;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        const auto [low, high] = std::minmax({find(a), find(b)});
-        m_parent[high] = low;
-    }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 } // namespace
 
 std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& render)
@@ -78,7 +56,7 @@ std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& 
         ends.emplace_back(b, side, e);
     }
     std::sort(ends.begin(), ends.end());
-    Chains chains(render.edges.size());
+    DisjointSets chains(render.edges.size());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const auto& [vertex, side, edge] = ends[i];
         const auto isSame = [&](std::size_t j) {
@@ -89,7 +67,7 @@ std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& 
             chains.join(edge, std::get<2>(ends[i + 1]));
     }
     std::vector<std::uint32_t> result(render.edges.size());
-    std::map<std::uint32_t, std::uint32_t> numbers;
+    std::map<std::size_t, std::uint32_t> numbers;
     for (std::uint32_t e = 0; e < render.edges.size(); ++e)
         result[e] = numbers.try_emplace(chains.find(e), static_cast<std::uint32_t>(numbers.size())).first->second;
     return result;

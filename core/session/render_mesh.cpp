@@ -1,10 +1,10 @@
 #include "core/session/render_mesh.h"
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/session/edge_chains.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace knead {
 
@@ -35,27 +35,6 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh)
     return halfEdges;
 }
 
-/// Sets of triangle corners that share a normal.
-class CornerSets {
-public:
-    explicit CornerSets(std::size_t corners)
-        : m_parent(corners)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-    }
-
-    std::uint32_t find(std::uint32_t corner)
-    {
-        while (m_parent[corner] != corner)
-            corner = m_parent[corner] = m_parent[m_parent[corner]];
-        return corner;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { m_parent[find(a)] = find(b); }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 Vec3 unitNormal(const TriangleMesh& mesh, std::uint32_t t)
 {
     const auto& v = mesh.triangles[t];
@@ -83,7 +62,7 @@ struct Seam {
 };
 
 /// Joins corners across smooth edges and returns the others, which are the feature edges.
-std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, CornerSets& sets)
+std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, DisjointSets& sets)
 {
     std::vector<Seam> seams;
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
@@ -107,7 +86,7 @@ std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, CornerSets& sets)
 
 RenderMesh renderMesh(const TriangleMesh& mesh)
 {
-    CornerSets sets(mesh.triangles.size() * 3);
+    DisjointSets sets(mesh.triangles.size() * 3); // of corners that share a normal
     const std::vector<Seam> seams = joinSmoothCorners(mesh, sets);
 
     RenderMesh result;
