@@ -48,6 +48,13 @@ std::vector<Lattice::Segment> findSegments(const std::vector<Lattice::Node>& nod
 
 } // namespace
 
+std::vector<Vec3> Lattice::positions() const
+{
+    std::vector<Vec3> places(size());
+    std::ranges::transform(nodes, places.begin(), [this](const Node& node) { return position(node); });
+    return places;
+}
+
 ObjectIndex Lattice::find(const Node& node) const
 {
     const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);

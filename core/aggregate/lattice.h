@@ -42,6 +42,7 @@ struct Lattice {
 
     Vec3 position(const Node& node) const { return origin + spacing * (axes * Vec3(node[0], node[1], node[2])); }
     Vec3 position(ObjectIndex object) const { return position(nodes[object]); }
+    std::vector<Vec3> positions() const; ///< of all objects
 
     /// Vector from an object to its neighbor in a direction, at rest [m].
     Vec3 direction(int d) const

@@ -58,11 +58,7 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
                   std::span<const std::uint16_t> isBroken)
 {
     const auto pick = [&](const auto& values) {
-        std::decay_t<decltype(values)> picked;
-        if (!values.empty())
-            for (const ObjectIndex object : objects)
-                picked.push_back(values[object]);
-        return picked;
+        return values.empty() ? std::decay_t<decltype(values)>() : pickedOf(values, objects);
     };
     Aggregate part;
     part.lattice.origin = aggregate.lattice.origin;

@@ -93,10 +93,7 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
     bytes(carriedBy.former != nullptr);
     if (carriedBy.former)
         writeRefilled(bytes, carriedBy);
-    const std::vector<Vec3>& displacements = aggregate.former->displacements();
-    VectorArray carriers(displacements.size());
-    for (std::size_t i = 0; i < displacements.size(); ++i)
-        carriers.set(i, displacements[i]);
+    const VectorArray carriers(aggregate.former->displacements());
     bytes.numbers(carriers, carriers.size());
     broken(bytes, aggregate.former->broken());
 }

@@ -207,10 +207,7 @@ void keepCrumbs(const Aggregate& aggregate, std::vector<BrokenConnection>& broke
 
 VectorArray nodesOf(const Aggregate& aggregate)
 {
-    VectorArray nodes(aggregate.size());
-    for (ObjectIndex i = 0; i < nodes.size(); ++i)
-        nodes.set(i, aggregate.lattice.position(i));
-    return nodes;
+    return VectorArray(aggregate.lattice.positions());
 }
 
 std::vector<BrokenConnection> carriedCracks(const CrackedFilling& cracked, const Aggregate& other,

@@ -16,15 +16,6 @@ constexpr double volumeSlack = 0.01;
 constexpr int firmlyConnected = 6; // live connections of an object that does not dangle
 constexpr int wellConnected = 9;   // live connections of an object whose surroundings say how it is deformed
 
-template <typename Value>
-std::vector<Value> picked(std::span<const Value> values, const std::vector<ObjectIndex>& objects)
-{
-    std::vector<Value> result;
-    for (const ObjectIndex object : objects)
-        result.push_back(values[object]);
-    return result;
-}
-
 /// Live connections per object.
 std::vector<int> degrees(const Aggregate& part)
 {
@@ -62,12 +53,10 @@ double volumeAt(const TriangleMesh& rest, const std::vector<Vec3>& places)
 /// Where the objects have gone on the whole.
 void moveRigidly(const Fragment& fragment, const Aggregate& part, std::span<const Vec3> moved, CarriedFragment& carried)
 {
-    std::vector<Vec3> before;
-    std::vector<Vec3> after;
-    for (ObjectIndex i = 0; i < part.size(); ++i) {
-        before.push_back(part.lattice.position(i));
-        after.push_back(before.back() + moved[i]);
-    }
+    const std::vector<Vec3> before = part.lattice.positions();
+    std::vector<Vec3> after = before;
+    for (ObjectIndex i = 0; i < part.size(); ++i)
+        after[i] += moved[i];
     const RigidFit fit = fitRigidMotion(before, after);
     for (std::size_t v = 0; v < carried.places.size(); ++v)
         carried.places[v] = fit.turn * (fragment.mesh.vertices[v] - fit.from) + fit.to;
@@ -143,7 +132,7 @@ std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const
         TaskPortion portion(control, done / count, (done + 1) / count);
         const std::vector<ObjectIndex> carriers = carriersOf(aggregate, fragment, isBroken);
         const Aggregate part = extract(aggregate, carriers, isBroken);
-        result.push_back(carriedBy(part, fragment, picked(displacement, carriers), carriers, source, portion));
+        result.push_back(carriedBy(part, fragment, pickedOf(displacement, carriers), carriers, source, portion));
     }
     return result;
 }

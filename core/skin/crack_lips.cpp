@@ -134,9 +134,7 @@ CrackLips::CrackLips(const Aggregate& aggregate, const Pieces& pieces, std::span
             points.push_back((aggregate.lattice.position(ends.first) + aggregate.lattice.position(ends.second)) / 2);
             m_isOpen.push_back(isBroken[ends.first] >> direction & 1U);
         }
-    m_points.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        m_points.set(i, points[i]);
+    m_points = VectorArray(points);
     m_grid.emplace(m_points, m_spacing);
 }
 

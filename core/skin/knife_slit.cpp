@@ -226,10 +226,8 @@ SlitMap::SlitMap(const Aggregate& all, const KnifeSlit& slit, const std::vector<
             }
     for (std::size_t part = 0; part < objects.size(); ++part) {
         objects[part] = firmOf(aggregate, objects[part], isBroken);
-        std::vector<Vec3> own;
-        for (const ObjectIndex object : objects[part])
-            own.push_back(displacements[object]);
-        m_parts[part] = std::make_unique<const Part>(extract(aggregate, objects[part], isBroken), std::move(own));
+        m_parts[part] = std::make_unique<const Part>(extract(aggregate, objects[part], isBroken),
+                                                     pickedOf(displacements, objects[part]));
         m_sides[part] = std::make_unique<const Side>(*this, part);
     }
 }

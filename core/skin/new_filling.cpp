@@ -16,14 +16,6 @@ namespace {
 // Between pieces in their lattice [spacings]: farther than a skin looks for objects.
 constexpr std::int32_t gapOfPieces = 8;
 
-VectorArray arrayOf(std::span<const Vec3> places)
-{
-    VectorArray array(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        array.set(i, places[i]);
-    return array;
-}
-
 std::vector<Vec3> placesOf(const std::vector<SkinPoint>& points)
 {
     std::vector<Vec3> places;
@@ -60,7 +52,7 @@ struct OldPiece {
                 objects.push_back(i);
                 there.push_back(now.at(i));
             }
-        places = arrayOf(there);
+        places = VectorArray(there);
         aggregate = wholePiece(*body.aggregate, objects);
         for (BrokenConnection one : body.broken)
             if (pieceOf[one.lower] == piece && pieceOf[upperEnd(body.aggregate->lattice, one)] == piece) {
@@ -99,7 +91,7 @@ public:
 
     NewFilling result()
     {
-        m_filling.places = arrayOf(m_places);
+        m_filling.places = VectorArray(m_places);
         findSegments(m_all.lattice);
         const double sum = m_all.filledVolume;
         m_all.repair.doubtfulShare = sum > 0 ? m_all.repair.doubtfulShare / sum : 0;
@@ -143,8 +135,7 @@ private:
             point.place += shift;
             m_all.skin.push_back(point);
         }
-        for (ObjectIndex i = 0; i < filled.size(); ++i)
-            m_places.push_back(filled.lattice.position(i));
+        append(m_places, filled.lattice.positions());
         m_all.meshVolume += filled.meshVolume;
         m_all.filledVolume += filled.filledVolume;
         m_all.cells += filled.cells;

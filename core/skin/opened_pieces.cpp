@@ -55,10 +55,8 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
         return all;
     }
     const std::vector<Vec3> then = firstFillingWhenFilled(present);
-    VectorArray places(then.size());
-    for (std::size_t i = 0; i < then.size(); ++i)
-        places.set(i, then[i]);
-    const std::vector<ObjectIndex> nearest = nearestPoints(places, nodesOf(present), present.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(VectorArray(then), nodesOf(present), present.lattice.spacing);
     all.ofPresent = pickedOf(all.ofFirst, nearest);
     for (ObjectIndex i = 0; i < all.ofPresent.size(); ++i) {
         OpenedPiece& piece = all.pieces[all.ofPresent[i]];

@@ -1,6 +1,7 @@
 #include "core/skin/refilled.h"
 
 #include "core/aggregate/fill.h"
+#include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
 #include "core/mechanics/point_spread.h"
 #include "core/skin/opened_pieces.h"
@@ -144,17 +145,9 @@ private:
             return;
         }
         Skin ofSurface = Skin::ofPlacesWhenFilled(*m_carriers, m_carrierPlaces);
-        m_fit = std::make_shared<const ShapeFitting>(
-            ShapeFitting{m_known ? m_known->carriers : Skin::ofPlacesWhenFilled(*m_carriers, nodes()), std::move(mesh),
-                         std::move(ofSurface)});
-    }
-
-    std::vector<Vec3> nodes() const
-    {
-        std::vector<Vec3> places(m_carriers->size());
-        for (ObjectIndex i = 0; i < places.size(); ++i)
-            places[i] = m_carriers->lattice.position(i);
-        return places;
+        m_fit = std::make_shared<const ShapeFitting>(ShapeFitting{
+            m_known ? m_known->carriers : Skin::ofPlacesWhenFilled(*m_carriers, m_carriers->lattice.positions()),
+            std::move(mesh), std::move(ofSurface)});
     }
 
     /// From where they were: what has not moved stays as it is, to the bit.
@@ -208,14 +201,8 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
 {
     if (!aggregate.former)
         return first;
-    const std::vector<Vec3> then = firstFillingWhenFilled(aggregate);
-    VectorArray places(then.size());
-    for (std::size_t i = 0; i < then.size(); ++i)
-        places.set(i, then[i]);
-    VectorArray nodes(aggregate.size());
-    for (ObjectIndex i = 0; i < nodes.size(); ++i)
-        nodes.set(i, aggregate.lattice.position(i));
-    const std::vector<ObjectIndex> nearest = nearestPoints(places, nodes, aggregate.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(VectorArray(firstFillingWhenFilled(aggregate)), nodesOf(aggregate), aggregate.lattice.spacing);
     std::vector<ObjectIndex> found;
     for (ObjectIndex i = 0; i < nearest.size(); ++i)
         if (std::binary_search(first.begin(), first.end(), nearest[i]))
