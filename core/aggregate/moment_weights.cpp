@@ -151,13 +151,11 @@ void setVolumes(Aggregate& aggregate)
     const double a = aggregate.lattice.spacing;
     const double share = a * a * a / 18;
     std::fill(aggregate.volume.begin(), aggregate.volume.end(), 0.0);
-    for (std::size_t d = 0; d < familyCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex low = segment.begin; low < segment.end; ++low) {
-                const double volume = share * aggregate.weight[d][low];
-                aggregate.volume[low] += volume;
-                aggregate.volume[low + static_cast<ObjectIndex>(segment.offset)] += volume;
-            }
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        const double volume = share * aggregate.weight[d][lower];
+        aggregate.volume[lower] += volume;
+        aggregate.volume[upper] += volume;
+    });
 }
 
 } // namespace

@@ -27,11 +27,10 @@ Pieces findPieces(const Aggregate& aggregate, std::span<const BrokenConnection> 
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     DisjointSets sets(aggregate.size());
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-                if (aggregate.weight[d][object] > 0 && (isBroken[object] >> d & 1U) == 0)
-                    sets.join(object, object + static_cast<ObjectIndex>(segment.offset));
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        if ((isBroken[lower] >> d & 1U) == 0)
+            sets.join(lower, upper);
+    });
 
     constexpr std::uint32_t none = 0xffffffffU;
     std::vector<std::uint32_t> pieceOfRoot(aggregate.size(), none);

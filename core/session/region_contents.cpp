@@ -1,5 +1,7 @@
 #include "core/session/region_contents.h"
 
+#include "core/aggregate/pieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -210,10 +212,7 @@ Region objectsWithin(const Region& region, double distance, const FilledModel& c
 
 std::array<ObjectIndex, 2> endsOf(const Aggregate& aggregate, const ConnectionId& connection)
 {
-    const std::vector<Lattice::Segment>& segments = aggregate.lattice.segments[connection.direction];
-    const auto next = std::upper_bound(segments.begin(), segments.end(), connection.lower,
-                                       [](ObjectIndex lower, const Lattice::Segment& s) { return lower < s.begin; });
-    return {connection.lower, connection.lower + static_cast<ObjectIndex>(std::prev(next)->offset)};
+    return {connection.lower, upperEnd(aggregate.lattice, connection)};
 }
 
 bool isConnection(const Aggregate& aggregate, Region::Item item)
@@ -226,11 +225,9 @@ bool isConnection(const Aggregate& aggregate, Region::Item item)
 std::vector<ConnectionId> allConnections(const Aggregate& aggregate)
 {
     std::vector<ConnectionId> connections;
-    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
-                if (aggregate.weight[d][lower] > 0)
-                    connections.push_back({d, lower});
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex) {
+        connections.push_back({d, lower});
+    });
     return connections;
 }
 

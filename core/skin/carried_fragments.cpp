@@ -20,13 +20,10 @@ constexpr int wellConnected = 9;   // live connections of an object whose surrou
 std::vector<int> degrees(const Aggregate& part)
 {
     std::vector<int> count(part.size(), 0);
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : part.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-                if (part.weight[d][object] > 0) {
-                    ++count[object];
-                    ++count[object + static_cast<ObjectIndex>(segment.offset)];
-                }
+    part.forEachConnection([&](std::uint32_t, ObjectIndex lower, ObjectIndex upper) {
+        ++count[lower];
+        ++count[upper];
+    });
     return count;
 }
 
