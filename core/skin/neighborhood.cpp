@@ -1,9 +1,12 @@
 #include "core/skin/neighborhood.h"
 
+#include "core/task/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -305,6 +308,19 @@ SkinOwner NeighborhoodFinder::owner(const Vec3& coordinates) const
     if (!keptAround(home, 1).empty())
         return {home, SkinOwner::Kind::around};
     return {m_lattice.nodes[m_rows.nearest(coordinates)], SkinOwner::Kind::object};
+}
+
+OwnedPoints NeighborhoodFinder::ownersOf(std::span<const Vec3> points) const
+{
+    OwnedPoints owned{.owners = std::vector<SkinOwner>(points.size()),
+                      .order = std::vector<std::uint32_t>(points.size())};
+    forEachBlock(points.size(), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point)
+            owned.owners[point] = owner(m_lattice.coordinates(points[point]));
+    });
+    std::iota(owned.order.begin(), owned.order.end(), 0U);
+    std::ranges::stable_sort(owned.order, {}, [&](std::uint32_t point) { return owned.owners[point]; });
+    return owned;
 }
 
 Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
