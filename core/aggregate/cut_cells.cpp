@@ -210,7 +210,7 @@ public:
         });
         forEachBlock(m_ranges.size(), 8192, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
-                m_ranges[t] = cellRange(triangle(t), 0, m_count[0]);
+                m_ranges[t] = cellRange(cornersOf(m_vertices, mesh.triangles[t]), 0, m_count[0]);
         });
     }
 
@@ -227,17 +227,11 @@ public:
     }
 
 private:
-    std::array<Vec3, 3> triangle(std::size_t t) const
-    {
-        const TriangleMesh::Triangle& corners = m_mesh.triangles[t];
-        return {m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]};
-    }
-
     PolygonList polygonsOfSlab(std::int32_t u, std::span<const std::uint32_t> triangles) const
     {
         PolygonList polygons;
         for (const std::uint32_t t : triangles)
-            polygons.add(clipToCell(triangle(t), 0, u, m_ranges[t]).span());
+            polygons.add(clipToCell(cornersOf(m_vertices, m_mesh.triangles[t]), 0, u, m_ranges[t]).span());
         return polygons;
     }
 

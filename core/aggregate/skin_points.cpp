@@ -31,8 +31,7 @@ std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice,
 {
     std::vector<Vertex> vertices(mesh.vertices.size());
     for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-        const Vec3& a = mesh.vertices[triangle[0]];
-        const Vec3 normal = 0.5 * orientation * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+        const Vec3 normal = 0.5 * orientation * crossOf(mesh.vertices, triangle);
         for (const std::uint32_t corner : triangle) {
             vertices[corner].normal += normal / 3;
             vertices[corner].area += normal.norm() / 3;

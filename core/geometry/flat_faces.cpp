@@ -33,8 +33,7 @@ public:
         , m_group(mesh.triangles.size(), noGroup)
     {
         for (const TriangleMesh::Triangle& t : mesh.triangles)
-            m_area.push_back(
-                (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+            m_area.push_back(crossOf(mesh.vertices, t));
         growAll();
         for (std::size_t i = 0; i < m_groups.size(); ++i) // more come while it goes on
             takeMeetingsApart(static_cast<std::uint32_t>(i));
@@ -281,7 +280,7 @@ private:
     std::vector<std::uint8_t> m_isSeen;   // per half-edge
 };
 
-std::vector<std::uint32_t> cornersOf(const EdgeLoop& loop, const Grouping& grouping, const Borders& borders)
+std::vector<std::uint32_t> neededCorners(const EdgeLoop& loop, const Grouping& grouping, const Borders& borders)
 {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t halfEdge : loop)
@@ -331,7 +330,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
         isChanged = false;
         for (const std::vector<EdgeLoop>& all : loops)
             for (const EdgeLoop& loop : all)
-                if (const std::size_t left = cornersOf(loop, grouping, borders).size();
+                if (const std::size_t left = neededCorners(loop, grouping, borders).size();
                     left < 3 && left < loop.size()) {
                     for (const std::uint32_t halfEdge : loop)
                         borders.need(grouping.startOf(halfEdge));
@@ -340,7 +339,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
     }
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (const EdgeLoop& loop : loops[i])
-            faces[i].loops.push_back(cornersOf(loop, grouping, borders));
+            faces[i].loops.push_back(neededCorners(loop, grouping, borders));
     return faces;
 }
 

@@ -214,7 +214,7 @@ double PlaneSection::area() const
 {
     Vec3 sum = Vec3::Zero();
     for (const auto& t : triangles)
-        sum += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+        sum += crossOf(points, t);
     return sum.norm() / 2;
 }
 

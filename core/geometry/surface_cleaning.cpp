@@ -100,12 +100,6 @@ std::vector<std::uint32_t> oppositeSides(const TriangleMesh& mesh, std::uint32_t
     return opposite;
 }
 
-double areaOf(const TriangleMesh& mesh, const Triangle& t)
-{
-    const Vec3& a = mesh.vertices[t[0]];
-    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-}
-
 /// @returns how many were turned
 std::size_t turnOneWay(TriangleMesh& mesh)
 {
@@ -123,7 +117,7 @@ std::size_t turnOneWay(TriangleMesh& mesh)
         double balance = 0; // area that stays by area that is to be turned
         for (std::size_t i = 0; i < stretch.size(); ++i) {
             const std::uint32_t t = stretch[i];
-            balance += (ways[t] == Way::same ? 1 : -1) * areaOf(mesh, mesh.triangles[t]);
+            balance += (ways[t] == Way::same ? 1 : -1) * 0.5 * crossOf(mesh.vertices, mesh.triangles[t]).norm();
             for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
                 const std::uint32_t other = opposite[side];
                 if (other == none || ways[other / 3] != Way::unknown)

@@ -20,7 +20,7 @@ std::vector<double> areasOf(const TriangleMesh& mesh, std::span<const Vec3> plac
 {
     std::vector<double> areas(places.size(), 0);
     for (const auto& t : mesh.triangles) {
-        const double area = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]).norm() / 2;
+        const double area = crossOf(places, t).norm() / 2;
         for (const std::uint32_t v : t)
             areas[v] += area / 3;
     }

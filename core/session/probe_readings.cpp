@@ -43,9 +43,7 @@ ProbeSample sampleHere(const ProbePlace& probe, const Snapshot& snapshot, bool w
 /// The normal of the triangle that a place is on, when its body was filled.
 FreeSurface freeSurfaceAt(const SkinPlace& place, const FilledBody& body)
 {
-    const auto& [a, b, c] = body.mesh.triangles[place.triangle];
-    const std::span<const Vec3> vertices = body.skin->points();
-    const Vec3 area = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
+    const Vec3 area = crossOf(body.skin->points(), body.mesh.triangles[place.triangle]);
     if (!(area.norm() > 0))
         return {};
     return {FreeSurface::Kind::face, area.normalized()};

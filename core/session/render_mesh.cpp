@@ -24,11 +24,8 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh)
     std::vector<HalfEdge> halfEdges;
     halfEdges.reserve(mesh.triangles.size() * 3);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint8_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = mesh.triangles[t][i];
-            const std::uint32_t b = mesh.triangles[t][(i + 1) % 3];
-            halfEdges.push_back({(std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b), t, i});
-        }
+        for (std::uint8_t i = 0; i < 3; ++i)
+            halfEdges.push_back({pairKey(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
     std::sort(halfEdges.begin(), halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
         return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
     });
@@ -37,9 +34,7 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh)
 
 Vec3 unitNormal(const TriangleMesh& mesh, std::uint32_t t)
 {
-    const auto& v = mesh.triangles[t];
-    const Vec3 normal = (mesh.vertices[v[1]] - mesh.vertices[v[0]]).cross(mesh.vertices[v[2]] - mesh.vertices[v[0]]);
-    return normal.stableNormalized();
+    return crossOf(mesh.vertices, mesh.triangles[t]).stableNormalized();
 }
 
 bool isSmooth(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u)

@@ -12,12 +12,6 @@ namespace knead {
 
 namespace {
 
-std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, std::uint32_t triangle, std::span<const Vec3> places)
-{
-    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
-    return {places[t[0]], places[t[1]], places[t[2]]};
-}
-
 Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
 {
     return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
@@ -27,7 +21,7 @@ Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
 
 Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places)
 {
-    return blend(cornersOf(body.mesh, place.triangle, places), place.shares);
+    return blend(cornersOf(places, body.mesh.triangles[place.triangle]), place.shares);
 }
 
 std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
@@ -59,7 +53,7 @@ std::optional<SkinPlace> nearestPlace(const Vec3& point, const FilledBodies& bod
         if (hit.distance >= least)
             continue;
         least = hit.distance;
-        nearest = {b, hit.triangle, nearestShares(cornersOf(mesh, hit.triangle, mesh.vertices), hit.point)};
+        nearest = {b, hit.triangle, nearestShares(cornersOf(mesh.vertices, mesh.triangles[hit.triangle]), hit.point)};
     }
     return nearest && least <= farthest * box.diagonal().norm() ? nearest : std::nullopt;
 }
@@ -100,7 +94,7 @@ std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies&
     for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
         if (face && body.mesh.faceOfTriangle[t] != *face)
             continue;
-        const auto corners = cornersOf(body.mesh, t, body.mesh.vertices);
+        const auto corners = cornersOf(body.mesh.vertices, body.mesh.triangles[t]);
         const Vec3 shares = nearestShares(corners, rest);
         if (const double distance = (blend(corners, shares) - rest).squaredNorm(); distance < nearest) {
             nearest = distance;

@@ -34,9 +34,7 @@ double gapeOf(const TriangleMesh& rest, const TriangleMesh& now)
     for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
         if (rest.faceOfTriangle[t] != Fragment::crackFace)
             continue;
-        const auto& [a, b, c] = now.triangles[t];
-        const Vec3 normal =
-            (now.vertices[b] - now.vertices[a]).cross(now.vertices[c] - now.vertices[a]).stableNormalized();
+        const Vec3 normal = crossOf(now.vertices, now.triangles[t]).stableNormalized();
         for (const std::uint32_t v : now.triangles[t])
             for (const std::uint32_t other :
                  together[{rest.vertices[v].x(), rest.vertices[v].y(), rest.vertices[v].z()}])
