@@ -309,6 +309,15 @@ CutCells::Slab withoutScraps(const CutCells& cells, std::size_t u, double minimu
     return left;
 }
 
+template <typename OfSlab>
+auto sumOver(const std::vector<CutCells::Slab>& slabs, OfSlab ofSlab)
+{
+    decltype(ofSlab(slabs.front())) sum = 0;
+    for (const CutCells::Slab& slab : slabs)
+        sum += ofSlab(slab);
+    return sum;
+}
+
 } // namespace
 
 CellGrid gridAround(const Box& box, double spacing, std::optional<Eigen::Index> rowAxis)
@@ -344,42 +353,28 @@ CutCells::Row CutCells::Slab::row(std::int32_t v) const
 
 double CutCells::volume() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += slab.volume;
-    return sum;
+    return sumOver(slabs, [](const Slab& slab) { return slab.volume; });
 }
 
 double CutCells::keptVolume() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += std::accumulate(slab.fraction.begin(), slab.fraction.end(), 0.0);
-    return sum;
+    return sumOver(slabs,
+                   [](const Slab& slab) { return std::accumulate(slab.fraction.begin(), slab.fraction.end(), 0.0); });
 }
 
 std::size_t CutCells::size() const
 {
-    std::size_t count = 0;
-    for (const Slab& slab : slabs)
-        count += slab.w.size();
-    return count;
+    return sumOver(slabs, [](const Slab& slab) { return slab.w.size(); });
 }
 
 std::size_t CutCells::decided() const
 {
-    std::size_t count = 0;
-    for (const Slab& slab : slabs)
-        count += slab.decided;
-    return count;
+    return sumOver(slabs, [](const Slab& slab) { return slab.decided; });
 }
 
 double CutCells::doubtful() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += slab.doubtful;
-    return sum;
+    return sumOver(slabs, [](const Slab& slab) { return slab.doubtful; });
 }
 
 CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,

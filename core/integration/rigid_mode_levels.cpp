@@ -38,13 +38,6 @@ void addShift(Eigen::Ref<Mat6> block, double shift)
         block(i, i) = block(i, i) > shift * scale ? block(i, i) * (1 + shift) : std::max(scale, 1e-300);
 }
 
-Mat3 crossMatrix(const Vec3& v)
-{
-    Mat3 cross;
-    cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return cross;
-}
-
 std::int32_t half(std::int32_t block)
 {
     return block >= 0 ? block / 2 : -((1 - block) / 2);
