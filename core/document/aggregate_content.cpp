@@ -6,15 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 namespace knead {
 
 namespace {
-
-template <typename Stream, typename Value>
-using Of = std::conditional_t<Stream::isReader, Value, const Value>;
 
 void numbers(ByteWriter& bytes, const std::vector<double>& values, std::size_t count)
 {

@@ -5,17 +5,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <type_traits>
 #include <variant>
 
 /// What a person has put around the bodies, as bytes of a moment: tools, fixtures, loads.
 ///
-/// One description serves a ByteWriter and a ByteReader: `Of<Stream, T>` is what the one writes from and the other reads to. A
-/// change of anything here is a new version of what momentToBytes() gives.
+/// One description serves a ByteWriter and a ByteReader, see Of. A change of anything here is a new version of what momentToBytes()
+/// gives.
 namespace knead::moment_fields {
-
-template <typename Stream, typename Value>
-using Of = std::conditional_t<Stream::isReader, Value, const Value>;
 
 inline std::uint64_t fingerprintOf(const ToolPart& part)
 {

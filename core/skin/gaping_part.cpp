@@ -4,13 +4,13 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/message/message.h"
+#include "core/message/number_text.h"
 #include "core/skin/fragments.h"
 #include "core/skin/torn_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -101,8 +101,6 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
     const double gape = gapeOf(torn->mesh, now);
     if (gape < leastGape * spacing)
         return {};
-    char millimetres[32];
-    std::snprintf(millimetres, sizeof millimetres, "%.3g", 1e3 * gape);
     const auto named = [&](TriangleMesh mesh) {
         PartToExport part{.part = pieceOf(whole.part, std::move(mesh), 1)};
         part.part.name = whole.part.name;
@@ -114,7 +112,7 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
         part.density = whole.density;
         part.remarks = whole.remarks;
         part.remarks.push_back(Message("Export", "\"%1\" is cut into or cracked, but in one piece: it gapes by %2 mm.")
-                                   .with(whole.part.name, millimetres));
+                                   .with(whole.part.name, inDigits(1e3 * gape, 3)));
         return part;
     };
     if (auto slit = keepsFaces && whole.part.exact ? findKnifeSlit(aggregate, *whole.broken) : std::nullopt) {
