@@ -116,8 +116,7 @@ FilledModel fillModel(std::shared_ptr<const Model> model, const ImportChoices& r
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double count = static_cast<double>(parts.size());
-        TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(filling, i, parts.size());
         addPart(*model, parts[i], names, content, portion);
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
@@ -280,9 +279,8 @@ FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& c
         assess(content, fillingSizes(*model, start.partOfBody, choices.spacing, measuring));
     }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const auto count = static_cast<double>(bodies.size());
         TaskPortion rest(control, measuredShare, 1);
-        TaskPortion portion(rest, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(rest, b, bodies.size());
         content.bodies.push_back(filledBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)

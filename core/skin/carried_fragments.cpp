@@ -123,10 +123,8 @@ std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const
     const ObjectStrains body(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
     const FieldSource source{.body = body, .loaded = loaded, .isWanted = relaxed != nullptr};
     std::vector<CarriedFragment> result;
-    const auto count = static_cast<double>(fragments.size());
     for (const Fragment& fragment : fragments) {
-        const auto done = static_cast<double>(result.size());
-        TaskPortion portion(control, done / count, (done + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, result.size(), fragments.size());
         const std::vector<ObjectIndex> carriers = carriersOf(aggregate, fragment, isBroken);
         const Aggregate part = extract(aggregate, carriers, isBroken);
         result.push_back(carriedBy(part, fragment, pickedOf(displacement, carriers), carriers, source, portion));

@@ -178,8 +178,7 @@ public:
     {
         joinAllDust();
         for (std::size_t i = 0; i < m_solids.size(); ++i) {
-            const auto count = static_cast<double>(m_solids.size());
-            TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+            TaskPortion portion = TaskPortion::ofItem(control, i, m_solids.size());
             cut(m_solids[i], portion);
         }
         std::vector<Fragment> result;
