@@ -99,4 +99,11 @@ CarriedSurface carriedSurface(const TriangleMesh& mesh, const SmoothMap& map, do
     return surface;
 }
 
+TriangleMesh carriedMesh(const TriangleMesh& mesh, const SmoothMap& map, double maximumEdge, std::size_t mostTriangles)
+{
+    CarriedSurface surface = carriedSurface(mesh, map, maximumEdge, mostTriangles);
+    surface.mesh.vertices = std::move(surface.places);
+    return std::move(surface.mesh);
+}
+
 } // namespace knead

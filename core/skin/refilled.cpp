@@ -216,21 +216,16 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
         return surface;
     const double edge = refilledEdge * aggregate.lattice.spacing;
     const std::size_t most = mostRefilledTriangles(aggregate);
-    const auto carriedBy = [&](const TriangleMesh& mesh, const SmoothMap& map) {
-        CarriedSurface carried = carriedSurface(mesh, map, edge, most);
-        carried.mesh.vertices = std::move(carried.places);
-        return std::move(carried.mesh);
-    };
     const FormerShape& former = *aggregate.former;
     if (!former.isInPieces())
-        return carriedBy(surface, former);
+        return carriedMesh(surface, former, edge, most);
     const OpenedPieces apart = openedPieces(aggregate, surface, {});
     TriangleMesh all;
-    for (const OpenedPiece& piece : apart.pieces)
-        append(all,
-               carriedBy(piece.mesh,
-                         FormerShape(std::make_shared<const Aggregate>(wholePiece(*former.carriers(), piece.carriers)),
-                                     pickedOf(former.displacements(), piece.carriers))));
+    for (const OpenedPiece& piece : apart.pieces) {
+        const FormerShape shape(std::make_shared<const Aggregate>(wholePiece(*former.carriers(), piece.carriers)),
+                                pickedOf(former.displacements(), piece.carriers));
+        append(all, carriedMesh(piece.mesh, shape, edge, most));
+    }
     return all;
 }
 
