@@ -110,7 +110,7 @@ public:
         else
             takeExact(v, slab, orientation, minimumFraction);
         if (m_repair != nullptr)
-            std::fill(m_isTouched.begin(), m_isTouched.end(), std::uint8_t{0});
+            std::ranges::fill(m_isTouched, std::uint8_t{0});
         forget();
     }
 
@@ -149,9 +149,9 @@ private:
         }
         slab.decided += outcome.decided;
         slab.doubtful += outcome.doubtful;
-        std::fill(m_inCell.begin(), m_inCell.end(), 0.0);
-        std::fill(m_area.begin(), m_area.end(), 0.0);
-        std::fill(m_moments.begin(), m_moments.end(), ColumnMoments{});
+        std::ranges::fill(m_inCell, 0.0);
+        std::ranges::fill(m_area, 0.0);
+        std::ranges::fill(m_moments, ColumnMoments{});
     }
 
     static bool isCut(double fraction) { return fraction > sliver && fraction < 1 - sliver; }

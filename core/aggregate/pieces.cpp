@@ -84,7 +84,7 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
                 break;
             const ObjectIndex neighbor = objects[i] + static_cast<ObjectIndex>(segment->offset);
             if (segment->begin <= objects[i] && (isBroken[objects[i]] >> d & 1U) == 0 &&
-                std::binary_search(objects.begin(), objects.end(), neighbor))
+                std::ranges::binary_search(objects, neighbor))
                 part.weight[d][i] = aggregate.weight[d][objects[i]];
         }
     }

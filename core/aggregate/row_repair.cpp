@@ -50,7 +50,7 @@ void RowRepair::suspectHoles(const HalfEdges& halfEdges)
         holes.joinToLowest(t[h % 3], t[(h + 1) % 3]);
         rim.insert(rim.end(), {t[h % 3], t[(h + 1) % 3]});
     }
-    std::sort(rim.begin(), rim.end());
+    std::ranges::sort(rim);
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
     std::vector<Box> boxes(m_mesh.vertices.size() * (rim.empty() ? 0 : 1));
     for (const std::uint32_t v : rim)
@@ -80,8 +80,7 @@ CellRange RowRepair::suspectRows(std::int32_t u) const
 bool RowRepair::isSuspect(std::int32_t u, std::int32_t v) const
 {
     const std::vector<Hole>& holes = m_holes[static_cast<std::size_t>(u)];
-    return std::any_of(holes.begin(), holes.end(),
-                       [&](const Hole& hole) { return v >= hole.v.first && v <= hole.v.last; });
+    return std::ranges::any_of(holes, [&](const Hole& hole) { return v >= hole.v.first && v <= hole.v.last; });
 }
 
 std::vector<std::uint8_t> RowRepair::suspectCells(std::int32_t u, std::int32_t v) const

@@ -139,7 +139,7 @@ std::vector<History::Entry> History::pathTo(Entry entry) const
     std::vector<Entry> path{entry};
     for (; entry != 0; path.push_back(entry))
         entry = m_records[entry].parent;
-    std::reverse(path.begin(), path.end());
+    std::ranges::reverse(path);
     return path;
 }
 

@@ -100,7 +100,7 @@ void HistoryReplay::remember(History::Entry entry, const std::set<History::Entry
     const auto isWanted = [&](History::Entry other) {
         return other > entry + 1 && m_history.record(other).parent == entry && !beginsStart(other);
     };
-    if (continuesAt(entry) && std::any_of(next.begin(), next.end(), isWanted))
+    if (continuesAt(entry) && std::ranges::any_of(next, isWanted))
         m_branches[entry] = m_simulation->keepMoment();
 }
 

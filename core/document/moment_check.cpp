@@ -231,8 +231,7 @@ private:
                all(memory.touches, isTouch) && all(memory.edges, isHold) &&
                all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
                all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
-               std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&
-               isAmount(memory.frequency);
+               std::ranges::adjacent_find(joints, isOutOfOrder) == joints.end() && isAmount(memory.frequency);
     }
 
     bool areNumbers() const

@@ -37,8 +37,8 @@ inline void toolPart(ByteReader& bytes, std::shared_ptr<const ToolPart>& part, c
     part = nullptr;
     if (fingerprint == 0)
         return;
-    const auto found = std::find_if(parts.begin(), parts.end(),
-                                    [&](const auto& candidate) { return fingerprintOf(*candidate) == fingerprint; });
+    const auto found =
+        std::ranges::find_if(parts, [&](const auto& candidate) { return fingerprintOf(*candidate) == fingerprint; });
     if (found == parts.end())
         throw Problem(Message("History", "a tool is made of a part that the document does not have"));
     part = *found;
@@ -200,8 +200,8 @@ void loadsAndTurns(Stream& bytes, Of<Stream, Moment>& moment)
 
 inline bool hasLoadsOrTurns(const Moment& moment)
 {
-    return !moment.loads.empty() || std::any_of(moment.fixtures.begin(), moment.fixtures.end(),
-                                                [](const auto& fixture) { return fixture && fixture->turn.turns(); });
+    return !moment.loads.empty() ||
+           std::ranges::any_of(moment.fixtures, [](const auto& fixture) { return fixture && fixture->turn.turns(); });
 }
 
 } // namespace knead::moment_fields

@@ -74,8 +74,8 @@ private:
     {
         TriangleGroup order(m_mesh.triangles.size());
         std::iota(order.begin(), order.end(), 0U);
-        std::stable_sort(order.begin(), order.end(),
-                         [this](auto a, auto b) { return m_area[a].squaredNorm() > m_area[b].squaredNorm(); });
+        std::ranges::stable_sort(order,
+                                 [this](auto a, auto b) { return m_area[a].squaredNorm() > m_area[b].squaredNorm(); });
         for (const std::uint32_t seed : order)
             if (m_group[seed] == noGroup)
                 grow(seed, [this, seed](std::uint32_t t) { return m_group[t] == noGroup && isInPlane(t, seed); });
@@ -130,7 +130,7 @@ private:
         TriangleGroup rest;
         for (const std::uint32_t triangle : all) {
             const TriangleMesh::Triangle& t = m_mesh.triangles[triangle];
-            if (std::any_of(t.begin(), t.end(), [&](std::uint32_t vertex) { return meetings.contains(vertex); }))
+            if (std::ranges::any_of(t, [&](std::uint32_t vertex) { return meetings.contains(vertex); }))
                 grow(triangle, [](std::uint32_t) { return false; });
             else
                 rest.push_back(triangle);
@@ -196,7 +196,7 @@ private:
     {
         const auto fan = m_halfEdges.leaving(vertex);
         return static_cast<std::size_t>(
-            std::count_if(fan.begin(), fan.end(), [this](std::uint32_t h) { return m_grouping.isBorder(h); }));
+            std::ranges::count_if(fan, [this](std::uint32_t h) { return m_grouping.isBorder(h); }));
     }
 
     void see(std::uint32_t halfEdge)

@@ -50,7 +50,7 @@ public:
     /// The sides one after the other.
     std::vector<Loop> loops()
     {
-        std::sort(m_sides.begin(), m_sides.end());
+        std::ranges::sort(m_sides);
         std::vector<bool> isUsed(m_sides.size(), false);
         std::vector<Loop> loops;
         for (std::size_t first = 0; first < m_sides.size(); ++first) {
@@ -134,7 +134,7 @@ bool isStraight(const Loop& loop, std::size_t from, std::size_t to, double toler
 Loop simplified(Loop loop, double tolerance)
 {
     constexpr std::size_t longest = 64; // corners that are left out at a time: keeps it linear
-    const auto first = std::max_element(loop.begin(), loop.end(), [](const Vec2& a, const Vec2& b) {
+    const auto first = std::ranges::max_element(loop, [](const Vec2& a, const Vec2& b) {
         return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); // certainly a corner
     });
     std::rotate(loop.begin(), first, loop.end());

@@ -69,7 +69,7 @@ private:
         std::array<std::optional<std::uint32_t>, 3> m; // m[i] lies between v[i] and v[i+1]
         for (std::size_t i = 0; i < 3; ++i)
             m[i] = middle(v[i], v[(i + 1) % 3]);
-        const auto count = std::count_if(m.begin(), m.end(), [](const auto& x) { return x.has_value(); });
+        const auto count = std::ranges::count_if(m, [](const auto& x) { return x.has_value(); });
         if (count == 0)
             return add(v[0], v[1], v[2], t);
         if (count == 3) {

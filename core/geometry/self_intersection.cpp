@@ -208,7 +208,7 @@ private:
             for (const Found& one : found)
                 if (rank < one.some.size() && all.some.size() < m_most)
                     all.some.push_back(one.some[rank]);
-        std::sort(all.some.begin(), all.some.end());
+        std::ranges::sort(all.some);
         return all;
     }
 

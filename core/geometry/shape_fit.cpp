@@ -20,7 +20,7 @@ std::vector<Vec3> verticesOf(const TriangleMesh& mesh, std::span<const std::uint
         for (const std::uint32_t v : mesh.triangles[triangle])
             if (v < most)
                 vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end());
+    std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     std::vector<Vec3> result;
     result.reserve(vertices.size());

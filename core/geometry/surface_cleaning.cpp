@@ -36,7 +36,7 @@ TriangleMesh withoutDoubles(const TriangleMesh& mesh)
     keys.reserve(order.size());
     for (const Triangle& triangle : mesh.triangles)
         keys.push_back(sorted(triangle));
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
         return std::pair(keys[a].corners, a) < std::pair(keys[b].corners, b);
     });
     std::vector<std::uint8_t> isKept(order.size(), 0);
@@ -80,7 +80,7 @@ std::vector<std::uint32_t> oppositeSides(const TriangleMesh& mesh, std::uint32_t
             const auto [low, high] = std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
             sides.push_back({low, high, 3 * t + i});
         }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::ranges::sort(sides, [](const Side& a, const Side& b) {
         return std::tuple(a.low, a.high, a.side) < std::tuple(b.low, b.high, b.side);
     });
     std::vector<std::uint32_t> opposite(sides.size(), none);

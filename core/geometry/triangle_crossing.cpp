@@ -65,7 +65,7 @@ std::optional<std::array<Vec3, 2>> lineThrough(const SurfaceTriangle& t, const C
     for (std::size_t i = 0; i < 3; ++i)
         if (endsInPlane(t, distances, i, plane))
             return std::array{corners[i], corners[(i + 1) % 3]};
-    const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+    const auto [least, most] = std::ranges::minmax_element(distances);
     if (*least >= 0 || *most <= 0)
         return std::nullopt;
     std::array<Vec3, 2> line;

@@ -85,7 +85,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, TaskControl& control)
         for (std::size_t i = begin; i < end; ++i)
             thickness[i] = thicknessAt(surface, samples[i]);
     });
-    std::sort(thickness.begin(), thickness.end());
+    std::ranges::sort(thickness);
     const auto walls =
         static_cast<std::size_t>(std::lower_bound(thickness.begin(), thickness.end(), noWall) - thickness.begin());
     const double wallShare = static_cast<double>(walls) / sampleCount;

@@ -58,7 +58,7 @@ RigidModeLevels::Mat6& RigidModeLevels::Blocks::at(std::uint32_t row, std::uint3
 void RigidModeLevels::Blocks::sort()
 {
     for (std::vector<Entry>& entries : m_rows)
-        std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+        std::ranges::sort(entries, {}, &Entry::column);
 }
 
 template <typename Visit>

@@ -106,7 +106,7 @@ void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
             const Mat3 cross = crossMatrix(end.arm);
             add(end.row + 1, cross * link.matrix * cross.transpose());
         }
-    std::sort(m_linkedRows.begin(), m_linkedRows.end());
+    std::ranges::sort(m_linkedRows);
     m_linkedRows.erase(std::unique(m_linkedRows.begin(), m_linkedRows.end()), m_linkedRows.end());
     refresh();
 }
@@ -165,7 +165,7 @@ double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
     return sumOverBlocks(r.size(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
         kernel.prolongFours((end - begin) / lanes, &m_motionOf[begin / lanes], m_motion.data(),
                             m_slotArm.data() + begin, z.data() + begin, stride);
-        auto odd = std::partition_point(m_odd.begin(), m_odd.end(), [&](const OddSlot& o) { return o.slot < begin; });
+        auto odd = std::ranges::partition_point(m_odd, [&](const OddSlot& o) { return o.slot < begin; });
         for (; odd != m_odd.end() && odd->slot < end; ++odd) {
             const Vec3 turn = motionOf(odd->cluster, 3);
             z.add(odd->slot, motionOf(odd->cluster, 0) + turn.cross(m_slotArm.at(odd->slot)));

@@ -50,7 +50,7 @@ std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& 
         ends.emplace_back(a, side, e);
         ends.emplace_back(b, side, e);
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     DisjointSets chains(render.edges.size());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const auto& [vertex, side, edge] = ends[i];

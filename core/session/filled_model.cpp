@@ -120,7 +120,7 @@ FilledModel fillModel(std::shared_ptr<const Model> model, const ImportChoices& r
         addPart(*model, parts[i], names, content, portion);
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() && std::find(parts.begin(), parts.end(), p) == parts.end())
+        if (!model->parts[p].mesh.empty() && std::ranges::find(parts, p) == parts.end())
             content.surfaces.push_back(makeSurface(*model, p));
     content.model = std::move(model);
     return content;
@@ -284,8 +284,7 @@ FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& c
         content.bodies.push_back(filledBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() &&
-            std::find(start.partOfBody.begin(), start.partOfBody.end(), p) == start.partOfBody.end())
+        if (!model->parts[p].mesh.empty() && std::ranges::find(start.partOfBody, p) == start.partOfBody.end())
             content.surfaces.push_back(makeSurface(*model, p));
     content.model = std::move(model);
     return content;

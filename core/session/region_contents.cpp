@@ -18,7 +18,7 @@ double areaOf(const FilledBody& body, const BodyFrame& frame, const Region::Item
     const RenderMesh& mesh = body.render;
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (!std::binary_search(faces.begin(), faces.end(), mesh.faceOfTriangle[t]))
+        if (!std::ranges::binary_search(faces, mesh.faceOfTriangle[t]))
             continue;
         const Vec3 a = frame.point(mesh.triangles[t][0]);
         sum += (frame.point(mesh.triangles[t][1]) - a).cross(frame.point(mesh.triangles[t][2]) - a).norm() / 2;
@@ -39,7 +39,7 @@ double lengthOfEdges(const FilledBody& body, const BodyFrame& frame, const Regio
 {
     double sum = 0;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e)
-        if (std::binary_search(chains.begin(), chains.end(), body.render.chainOfEdge[e]))
+        if (std::ranges::binary_search(chains, body.render.chainOfEdge[e]))
             sum += (frame.point(body.render.edges[e][1]) - frame.point(body.render.edges[e][0])).norm();
     return sum;
 }
@@ -65,7 +65,7 @@ std::vector<ObjectIndex> objectsAtEdges(const FilledBody& body, const Region::It
     const Lattice& lattice = body.aggregate->lattice;
     std::vector<ObjectIndex> objects;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e) {
-        if (!std::binary_search(chains.begin(), chains.end(), body.render.chainOfEdge[e]))
+        if (!std::ranges::binary_search(chains, body.render.chainOfEdge[e]))
             continue;
         const Vec3& a = body.mesh.vertices[body.render.source[body.render.edges[e][0]]];
         const Vec3& b = body.mesh.vertices[body.render.source[body.render.edges[e][1]]];
@@ -105,7 +105,7 @@ std::vector<ObjectIndex> objectsOf(const FilledBody& body, const Model& model, L
                 objects.push_back(end);
         break;
     }
-    std::sort(objects.begin(), objects.end());
+    std::ranges::sort(objects);
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     return objects;
 }

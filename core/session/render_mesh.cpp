@@ -26,7 +26,7 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh)
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::uint8_t i = 0; i < 3; ++i)
             halfEdges.push_back({pairKey(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
-    std::sort(halfEdges.begin(), halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    std::ranges::sort(halfEdges, [](const HalfEdge& a, const HalfEdge& b) {
         return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
     });
     return halfEdges;
@@ -48,7 +48,7 @@ bool isSmooth(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u)
 std::uint32_t cornerAt(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t vertex)
 {
     const auto& v = mesh.triangles[t];
-    return 3 * t + static_cast<std::uint32_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
+    return 3 * t + static_cast<std::uint32_t>(std::ranges::find(v, vertex) - v.begin());
 }
 
 struct Seam {

@@ -82,8 +82,7 @@ std::size_t trueVertices(const FilledModel& content, const FilledBody& body)
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after)
 {
     const FilledBody& old = *before[place.body];
-    const auto found =
-        std::find_if(after.begin(), after.end(), [&](const auto& body) { return body->part == old.part; });
+    const auto found = std::ranges::find_if(after, [&](const auto& body) { return body->part == old.part; });
     if (found == after.end())
         return std::nullopt;
     const FilledBody& body = **found;

@@ -31,7 +31,7 @@ struct StressReading {
 
     std::vector<float> take(SkinStresses stresses)
     {
-        const auto largest = std::max_element(stresses.vonMises.begin(), stresses.vonMises.end());
+        const auto largest = std::ranges::max_element(stresses.vonMises);
         if (largest != stresses.vonMises.end() && *largest > most) {
             most = *largest;
             errorShare = stresses.errorShare;

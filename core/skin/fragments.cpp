@@ -90,8 +90,8 @@ public:
         // A shell is of the solid that most of its corners are near; a solid without a shell is part of the one whose
         // shell is around it.
         for (const auto& [shell, count] : votes) {
-            const auto most = std::max_element(count.begin(), count.end(),
-                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto most =
+                std::ranges::max_element(count, [](const auto& a, const auto& b) { return a.second < b.second; });
             m_solidOfShell[shell] = most->first;
             m_ownerOfSolid[most->first] = most->first;
         }
@@ -217,14 +217,14 @@ private:
     std::uint32_t largest(const Solid& solid) const
     {
         const auto rank = [&](std::uint32_t piece) { return std::pair(m_isDust[piece] == 0, m_sizes[piece]); };
-        return *std::max_element(solid.pieces.begin(), solid.pieces.end(),
-                                 [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+        return *std::ranges::max_element(solid.pieces,
+                                         [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
     }
 
     std::size_t shapes(const Solid& solid) const
     {
-        return static_cast<std::size_t>(std::count_if(solid.pieces.begin(), solid.pieces.end(),
-                                                      [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
+        return static_cast<std::size_t>(
+            std::ranges::count_if(solid.pieces, [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
     }
 
     /// Pieces that hardly any material is found for, all of whose objects are outside of the surface, become dust.
@@ -240,7 +240,7 @@ private:
             const double least = leastMaterial * std::pow(m_aggregate.lattice.spacing, 3);
             bool isComplete = true;
             for (const std::uint32_t piece : solid.pieces) {
-                const bool isThere = std::any_of(meshes.begin(), meshes.end(), [&](const SewnMesh& mesh) {
+                const bool isThere = std::ranges::any_of(meshes, [&](const SewnMesh& mesh) {
                     return mesh.piece == piece && massProperties(mesh.mesh).volume > least;
                 });
                 if (m_isDust[piece] == 0 && !isThere) {

@@ -53,7 +53,7 @@ std::array<double, fitReach * fitReach + 3> fitWeights()
 
 void sortOut(std::vector<Lattice::Node>& nodes)
 {
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
 
@@ -136,14 +136,14 @@ void LabeledNodes::spreadLabels(const Aggregate& aggregate, std::span<const std:
                     const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[open[i]], direction));
                     if (other == m_lattice.size() || m_label[other] == noLabel)
                         return;
-                    const auto vote = std::find_if(votes.begin(), votes.end(),
-                                                   [&](const auto& v) { return v.first == m_label[other]; });
+                    const auto vote =
+                        std::ranges::find_if(votes, [&](const auto& v) { return v.first == m_label[other]; });
                     if (vote == votes.end())
                         votes.emplace_back(m_label[other], weight);
                     else
                         vote->second += weight;
                 });
-                const auto best = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+                const auto best = std::ranges::max_element(votes, [](const auto& a, const auto& b) {
                     return a.second != b.second ? a.second < b.second : a.first > b.first;
                 });
                 if (best != votes.end())
@@ -164,7 +164,7 @@ void LabeledNodes::spreadLabels(const Aggregate& aggregate, std::span<const std:
         return;
     // What no object is near to, such as a solid too thin to hold any.
     const LatticeRows objects(aggregate.lattice);
-    const std::uint32_t any = *std::min_element(labels.begin(), labels.end());
+    const std::uint32_t any = *std::ranges::min_element(labels);
     for (const ObjectIndex node : open) {
         const Lattice::Node& n = m_lattice.nodes[node];
         const std::uint32_t label = labels[objects.nearest(Vec3(n[0], n[1], n[2]))];
@@ -201,7 +201,7 @@ void LabeledNodes::findBorders()
             if (other != m_lattice.size())
                 add(other);
         });
-    std::sort(m_near.begin(), m_near.end());
+    std::ranges::sort(m_near);
     for (std::size_t i = 0; i < m_near.size(); ++i)
         m_placeInNear[m_near[i]] = static_cast<std::uint32_t>(i);
 }
@@ -263,8 +263,7 @@ LabeledNodes::Shares LabeledNodes::fitted(ObjectIndex node) const
     Shares shares;
     for (std::size_t i = 0; i < count; ++i) {
         const double part = samples[i].weighted.dot(functions);
-        const auto share =
-            std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.label == samples[i].label; });
+        const auto share = std::ranges::find(shares, samples[i].label, &Share::label);
         if (share == shares.end())
             shares.push_back({samples[i].label, part});
         else
@@ -306,8 +305,7 @@ void LabeledNodes::addLeads()
         const std::uint32_t label = m_label[m_near[near]];
         const Leads& sum = leads[label];
         const double lead = sum.count > 0 ? std::max(0.0, (sum.others - sum.own) / sum.count) : 0;
-        const auto own = std::find_if(m_shares[near].begin(), m_shares[near].end(),
-                                      [&](const Share& s) { return s.label == label; });
+        const auto own = std::ranges::find(m_shares[near], label, &Share::label);
         if (own == m_shares[near].end())
             m_shares[near].push_back({label, lead});
         else
@@ -368,7 +366,7 @@ LabeledNodes::Found LabeledNodes::find(const Vec3& place) const
                       corners))
         return {};
     const std::uint32_t first = m_label[corners[0]];
-    if (std::all_of(corners.begin(), corners.end(), [&](ObjectIndex node) { return m_label[node] == first; }))
+    if (std::ranges::all_of(corners, [&](ObjectIndex node) { return m_label[node] == first; }))
         return {first, true};
     std::array<double, 8> weights{};
     const Vec3 part = coordinates - low;

@@ -211,10 +211,10 @@ std::vector<double> partsOf(const std::vector<Lattice::Node>& cells, const Vec3&
     std::vector<double> parts(cells.size());
     std::transform(cells.begin(), cells.end(), parts.begin(),
                    [&](const Lattice::Node& cell) { return std::sqrt(squaredDistanceToCell(coordinates, cell)); });
-    const double least = *std::min_element(parts.begin(), parts.end());
+    const double least = *std::ranges::min_element(parts);
     if (least == 0 || cells.size() == 1) { // those that contain the point all say the same of it
-        const auto first = std::find(parts.begin(), parts.end(), least);
-        std::fill(parts.begin(), parts.end(), 0);
+        const auto first = std::ranges::find(parts, least);
+        std::ranges::fill(parts, 0);
         *first = 1;
         return parts;
     }

@@ -163,7 +163,7 @@ private:
             crack.lower += begin;
             m_filling.cracks.push_back(crack);
         }
-        std::sort(m_filling.cracks.begin(), m_filling.cracks.end());
+        std::ranges::sort(m_filling.cracks);
     }
 
     /// Where the objects of the first filling go that are of this piece: its carriers as they were fitted, others with its skin.
@@ -173,7 +173,7 @@ private:
         std::vector<ObjectIndex> others;
         std::vector<Vec3> rest;
         for (ObjectIndex i = 0; i < m_first->size(); ++i)
-            if (m_apart.ofFirst[i] == m_piece && !std::binary_search(carriers.begin(), carriers.end(), i)) {
+            if (m_apart.ofFirst[i] == m_piece && !std::ranges::binary_search(carriers, i)) {
                 others.push_back(i);
                 rest.push_back(m_first->lattice.position(i));
             }

@@ -133,7 +133,7 @@ std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<
     if (!present.former) {
         if (healed.empty()) {
             std::vector<BrokenConnection> all(broken.begin(), broken.end());
-            std::sort(all.begin(), all.end());
+            std::ranges::sort(all);
             return all;
         }
         return carriedCracks({present, nodes, broken, healed}, present, nodes);
@@ -155,7 +155,7 @@ std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<
     std::copy_if(carried.begin(), carried.end(), std::back_inserter(all), [&](const BrokenConnection& one) {
         return parted.ofObject[one.lower] == parted.ofObject[upperEnd(carriers.lattice, one)];
     });
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 

@@ -205,7 +205,7 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
         nearestPoints(VectorArray(firstFillingWhenFilled(aggregate)), nodesOf(aggregate), aggregate.lattice.spacing);
     std::vector<ObjectIndex> found;
     for (ObjectIndex i = 0; i < nearest.size(); ++i)
-        if (std::binary_search(first.begin(), first.end(), nearest[i]))
+        if (std::ranges::binary_search(first, nearest[i]))
             found.push_back(i);
     return found;
 }

@@ -123,7 +123,7 @@ std::vector<Vec3> placesWithin(const Aggregate& aggregate, const std::vector<Obj
                 clear = std::min(clear, (aggregate.lattice.position(object) - point).norm());
         rank.emplace_back(-clear, object);
     }
-    std::sort(rank.begin(), rank.end());
+    std::ranges::sort(rank);
     std::vector<Vec3> places;
     for (std::size_t i = 0; i < std::min(wanted, rank.size()); ++i)
         places.push_back(aggregate.lattice.position(rank[i].second));
