@@ -46,13 +46,18 @@ HistoryRecord recordOf(Gesture gesture, std::string name, const Packing& packing
             .moment = std::make_shared<const Bytes>(momentToBytes(*gesture.moment, packing))};
 }
 
-MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
+MomentPointer beginOf(const Way& way, const Scene& scene, const Packing& packing)
 {
+    if (!way.from)
+        return nullptr;
     ToolParts parts = toolPartsOf(scene, way.commands);
     parts.insert(parts.end(), way.parts.begin(), way.parts.end());
-    MomentPointer begin;
-    if (way.from)
-        begin = std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, packing));
+    return std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, packing));
+}
+
+MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
+{
+    MomentPointer begin = beginOf(way, scene, packing);
     if (begin && way.commands.empty())
         return begin;
     Simulation simulation(scene);
