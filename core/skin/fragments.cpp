@@ -372,4 +372,14 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
     return Breaker(aggregate, skin, broken, std::move(pieces), lips, options).fragments(control);
 }
 
+std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments)
+{
+    std::vector<std::uint32_t> of(aggregate.size(), 0);
+    for (std::uint32_t f = 0; f < fragments.size(); ++f)
+        for (const std::vector<ObjectIndex>* objects : {&fragments[f].objects, &fragments[f].dust})
+            for (const ObjectIndex object : *objects)
+                of[object] = f;
+    return of;
+}
+
 } // namespace knead

@@ -63,17 +63,6 @@ void remarkOnDust(std::size_t objects, bool isUncut, std::vector<Message>& remar
                 .with(objects));
 }
 
-/// Which fragment each object belongs to.
-std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments)
-{
-    std::vector<std::uint32_t> of(aggregate.size(), 0);
-    for (std::uint32_t f = 0; f < fragments.size(); ++f)
-        for (const std::vector<ObjectIndex>* objects : {&fragments[f].objects, &fragments[f].dust})
-            for (const ObjectIndex object : *objects)
-                of[object] = f;
-    return of;
-}
-
 /// Of cracks that end in a piece: how many of its connections are broken, where that is more than a few.
 void remarkOnCracks(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf, std::uint32_t fragment,
                     std::vector<Message>& remarks)
