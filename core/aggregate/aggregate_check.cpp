@@ -14,10 +14,8 @@ constexpr double largestArea = 1e12;           // [m^2]
 /// Segments go on over objects that have no neighbor in their direction.
 bool hasNeighbor(const Lattice& lattice, std::size_t direction, const Lattice::Segment& segment, ObjectIndex object)
 {
-    const Lattice::Node& step = Lattice::directions[direction];
-    const Lattice::Node& from = lattice.nodes[object];
-    const Lattice::Node& to = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
-    return to[0] - from[0] == step[0] && to[1] - from[1] == step[1] && to[2] - from[2] == step[2];
+    const Lattice::Node& there = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
+    return there == Lattice::sum(lattice.nodes[object], Lattice::directions[direction]);
 }
 
 } // namespace
