@@ -3,7 +3,6 @@
 #include "core/simulation/scene_limits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>

@@ -1,7 +1,5 @@
 #include "core/geometry/surface_ray.h"
 
-#include "core/geometry/mass_properties.h"
-
 #include <cmath>
 
 namespace knead {

@@ -3,7 +3,6 @@
 #include "core/geometry/disjoint_sets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>

@@ -51,6 +51,14 @@ std::shared_ptr<const FilledSurface> makeSurface(const Model& model, std::size_t
     return surface;
 }
 
+/// Of parts that nothing is filled of.
+void addSurfaces(const Model& model, const std::vector<std::size_t>& filled, FilledModel& content)
+{
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+        if (!model.parts[p].mesh.empty() && std::ranges::find(filled, p) == filled.end())
+            content.surfaces.push_back(makeSurface(model, p));
+}
+
 /// A part becomes a body; or a surface, when it has no inside or no cell of the lattice fits into it.
 void addPart(const Model& model, std::size_t index, std::set<std::string>& names, FilledModel& content,
              TaskControl& control)
@@ -119,9 +127,7 @@ FilledModel fillModel(std::shared_ptr<const Model> model, const ImportChoices& r
         TaskPortion portion = TaskPortion::ofItem(filling, i, parts.size());
         addPart(*model, parts[i], names, content, portion);
     }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() && std::ranges::find(parts, p) == parts.end())
-            content.surfaces.push_back(makeSurface(*model, p));
+    addSurfaces(*model, parts, content);
     content.model = std::move(model);
     return content;
 }
@@ -283,9 +289,7 @@ FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& c
         TaskPortion portion = TaskPortion::ofItem(rest, b, bodies.size());
         content.bodies.push_back(filledBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
     }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() && std::ranges::find(start.partOfBody, p) == start.partOfBody.end())
-            content.surfaces.push_back(makeSurface(*model, p));
+    addSurfaces(*model, start.partOfBody, content);
     content.model = std::move(model);
     return content;
 }

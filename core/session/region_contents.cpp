@@ -3,7 +3,6 @@
 #include "core/aggregate/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <unordered_map>
 

@@ -4,7 +4,6 @@
 #include "core/session/edge_chains.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace knead {
 

@@ -1,7 +1,6 @@
 #include "core/skin/crack_lips.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace knead {

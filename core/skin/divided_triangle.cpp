@@ -3,7 +3,6 @@
 #include "core/skin/crossings.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace knead {
 

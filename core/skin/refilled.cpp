@@ -11,7 +11,6 @@
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

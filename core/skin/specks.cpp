@@ -3,7 +3,6 @@
 #include "core/geometry/disjoint_sets.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 

@@ -9,7 +9,6 @@
 #include "core/skin/specks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
