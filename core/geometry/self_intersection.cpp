@@ -100,9 +100,7 @@ private:
 
     void findBoxes()
     {
-        Box box;
-        for (const Vec3& vertex : m_mesh.vertices)
-            box.extend(vertex);
+        const Box box = boxOfPlaces(m_mesh.vertices);
         const double size = box.sizes().maxCoeff();
         const double scale = size > 0 ? 1 / size : 1;
         m_tolerance = toleranceShare * size;

@@ -9,9 +9,7 @@ SurfaceRay::SurfaceRay(const TriangleMesh& mesh, double orientation)
     , m_tree(mesh)
     , m_orientation(orientation)
 {
-    Box box;
-    for (const Vec3& vertex : mesh.vertices)
-        box.extend(vertex);
+    const Box box = boxOfPlaces(mesh.vertices);
     m_size = box.isEmpty() ? 0 : box.diagonal().norm();
 }
 

@@ -20,9 +20,7 @@ public:
         , m_head(std::bit_ceil(2 * vertices.size() + 1), none)
         , m_next(vertices.size(), none)
     {
-        Box box;
-        for (const Vec3& vertex : vertices)
-            box.extend(vertex);
+        const Box box = boxOfPlaces(vertices);
         m_origin = box.min();
         m_cell = std::max({8 * tolerance, 1e-9 * box.diagonal().norm(), 1e-300});
     }

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <span>
+
 namespace knead {
 
 /// A point or vector in space, SI units, double precision.
@@ -20,6 +22,14 @@ inline Mat3 crossMatrix(const Vec3& v)
 
 /// An axis-aligned box; empty() until a point is added with extend().
 using Box = Eigen::AlignedBox3d;
+
+inline Box boxOfPlaces(std::span<const Vec3> places)
+{
+    Box box;
+    for (const Vec3& place : places)
+        box.extend(place);
+    return box;
+}
 
 /// Where a rigid thing is: x = rotation * X + position.
 struct Pose {

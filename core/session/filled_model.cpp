@@ -94,8 +94,7 @@ FilledModel emptyFilledModel(const Model& model, const ImportChoices& request)
         warn(part.warnings);
         if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
-        for (const Vec3& vertex : part.mesh.vertices)
-            content.box.extend(vertex);
+        content.box.extend(boxOfPlaces(part.mesh.vertices));
     }
     if (content.box.isEmpty())
         throw Problem(Message("Filling", "%1: the file holds no solid and no surface; export the part as a solid.")

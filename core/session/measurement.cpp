@@ -167,9 +167,7 @@ Figure radiusOfFaceFigure(const Setting& setting)
 
 Figure boxFigure(const Setting& setting)
 {
-    Box box;
-    for (const Vec3& place : setting.places(0))
-        box.extend(place);
+    const Box box = boxOfPlaces(setting.places(0));
     Figure figure{{box.sizes().x(), box.sizes().y(), box.sizes().z()}, {}, {}};
     const auto corner = [&](int i) { return box.corner(static_cast<Box::CornerType>(i)); };
     for (int i = 0; i < 8; ++i)

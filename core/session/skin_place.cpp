@@ -47,8 +47,7 @@ std::optional<SkinPlace> nearestPlace(const Vec3& point, const FilledBodies& bod
         if (!bodies[b])
             continue;
         const TriangleMesh& mesh = bodies[b]->mesh;
-        for (const Vec3& vertex : mesh.vertices)
-            box.extend(vertex);
+        box.extend(boxOfPlaces(mesh.vertices));
         const SurfaceDistance::Hit hit = SurfaceDistance(mesh).nearest(point);
         if (hit.distance >= least)
             continue;

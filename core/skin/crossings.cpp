@@ -79,7 +79,7 @@ public:
         , m_halfEdges(halfEdges)
         , m_cracks(cracks)
         , m_frame(frame)
-        , m_orientation(boxOf(skin, cracks))
+        , m_orientation(boxOfPlaces(skin.vertices).merged(boxOfPlaces(cracks.vertices)))
     {
         for (const Vec3& vertex : skin.vertices)
             m_skinPlaces.push_back(m_orientation.rounded(vertex));
@@ -112,16 +112,6 @@ public:
     }
 
 private:
-    static Box boxOf(const TriangleMesh& skin, const CrackSurface& cracks)
-    {
-        Box box;
-        for (const Vec3& vertex : skin.vertices)
-            box.extend(vertex);
-        for (const Vec3& vertex : cracks.vertices)
-            box.extend(vertex);
-        return box;
-    }
-
     void findPair(std::uint32_t skinTriangle, std::uint32_t crackTriangle, std::vector<Found>& found) const
     {
         const TriangleMesh::Triangle& skinCorners = m_skin.triangles[skinTriangle];
