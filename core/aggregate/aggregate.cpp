@@ -8,8 +8,7 @@ std::size_t Aggregate::connectionCount() const
 {
     std::size_t count = 0;
     for (const std::vector<double>& weights : weight)
-        count +=
-            static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+        count += static_cast<std::size_t>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     return count;
 }
 

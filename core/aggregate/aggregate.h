@@ -58,6 +58,17 @@ struct Aggregate {
 
     std::size_t size() const { return lattice.size(); }
     std::size_t connectionCount() const; ///< structural connections (weight > 0)
+
+    /// Calls visit(direction, lower, upper) for every structural connection and its two objects, direction by direction.
+    template <typename Visit>
+    void forEachConnection(Visit&& visit) const
+    {
+        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
+            for (const Lattice::Segment& segment : lattice.segments[d])
+                for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
+                    if (weight[d][lower] > 0)
+                        visit(d, lower, lower + static_cast<ObjectIndex>(segment.offset));
+    }
 };
 
 } // namespace knead

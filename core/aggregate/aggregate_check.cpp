@@ -14,10 +14,8 @@ constexpr double largestArea = 1e12;           // [m^2]
 /// Segments go on over objects that have no neighbor in their direction.
 bool hasNeighbor(const Lattice& lattice, std::size_t direction, const Lattice::Segment& segment, ObjectIndex object)
 {
-    const Lattice::Node& step = Lattice::directions[direction];
-    const Lattice::Node& from = lattice.nodes[object];
-    const Lattice::Node& to = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
-    return to[0] - from[0] == step[0] && to[1] - from[1] == step[1] && to[2] - from[2] == step[2];
+    const Lattice::Node& there = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
+    return there == Lattice::sum(lattice.nodes[object], Lattice::directions[direction]);
 }
 
 } // namespace
@@ -25,14 +23,13 @@ bool hasNeighbor(const Lattice& lattice, std::size_t direction, const Lattice::S
 bool isSound(const Lattice& lattice)
 {
     const auto isNear = [](const Lattice::Node& node) {
-        return std::all_of(node.begin(), node.end(),
-                           [](std::int32_t n) { return n >= -furthestNode && n <= furthestNode; });
+        return std::ranges::all_of(node, [](std::int32_t n) { return n >= -furthestNode && n <= furthestNode; });
     };
     const auto isNotAfter = [](const Lattice::Node& a, const Lattice::Node& b) { return !(a < b); };
     return lattice.origin.allFinite() && lattice.spacing > 0 && std::isfinite(lattice.spacing) &&
            (lattice.axes.transpose() * lattice.axes - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
-           std::all_of(lattice.nodes.begin(), lattice.nodes.end(), isNear) &&
-           std::adjacent_find(lattice.nodes.begin(), lattice.nodes.end(), isNotAfter) == lattice.nodes.end();
+           std::ranges::all_of(lattice.nodes, isNear) &&
+           std::ranges::adjacent_find(lattice.nodes, isNotAfter) == lattice.nodes.end();
 }
 
 bool areSoundWeights(const std::vector<double>& weights, const Lattice& lattice, std::size_t direction)
@@ -60,7 +57,7 @@ bool areSoundBroken(std::span<const BrokenConnection> broken, const Aggregate& a
 
 bool areSoundPoints(const std::vector<SkinPoint>& skin, const Lattice& lattice)
 {
-    return std::all_of(skin.begin(), skin.end(), [&](const SkinPoint& point) {
+    return std::ranges::all_of(skin, [&](const SkinPoint& point) {
         return point.place.allFinite() && point.area >= 0 && point.area <= largestArea &&
                lattice.coordinates(point.place).cwiseAbs().maxCoeff() <= farthestPoint;
     });

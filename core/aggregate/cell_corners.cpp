@@ -23,10 +23,7 @@ struct Surroundings {
         return std::accumulate(below.begin(), below.end(), std::accumulate(above.begin(), above.end(), 0.0));
     }
 
-    double least() const
-    {
-        return std::min(*std::min_element(below.begin(), below.end()), *std::min_element(above.begin(), above.end()));
-    }
+    double least() const { return std::min(*std::ranges::min_element(below), *std::ranges::min_element(above)); }
 
     /// In the order of Lattice::directions: mean over the cells that share the connection.
     std::array<double, Lattice::isotropicCount> weights() const

@@ -52,9 +52,7 @@ CellShapes::CellShapes(const Aggregate& aggregate)
         Corners corners{};
         bool isCell = true;
         for (std::size_t corner = 0; isCell && corner < 8; ++corner) {
-            corners[corner] = rows.find({low[0] + static_cast<std::int32_t>(corner >> 2U & 1U),
-                                         low[1] + static_cast<std::int32_t>(corner >> 1U & 1U),
-                                         low[2] + static_cast<std::int32_t>(corner & 1U)});
+            corners[corner] = rows.find(Lattice::sum(low, Lattice::cellCorners[corner]));
             isCell = corners[corner] < none;
         }
         for (std::size_t axis = 0; isCell && axis < 3; ++axis) // the first three directions

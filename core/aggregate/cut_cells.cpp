@@ -110,7 +110,7 @@ public:
         else
             takeExact(v, slab, orientation, minimumFraction);
         if (m_repair != nullptr)
-            std::fill(m_isTouched.begin(), m_isTouched.end(), std::uint8_t{0});
+            std::ranges::fill(m_isTouched, std::uint8_t{0});
         forget();
     }
 
@@ -149,9 +149,9 @@ private:
         }
         slab.decided += outcome.decided;
         slab.doubtful += outcome.doubtful;
-        std::fill(m_inCell.begin(), m_inCell.end(), 0.0);
-        std::fill(m_area.begin(), m_area.end(), 0.0);
-        std::fill(m_moments.begin(), m_moments.end(), ColumnMoments{});
+        std::ranges::fill(m_inCell, 0.0);
+        std::ranges::fill(m_area, 0.0);
+        std::ranges::fill(m_moments, ColumnMoments{});
     }
 
     static bool isCut(double fraction) { return fraction > sliver && fraction < 1 - sliver; }
@@ -210,7 +210,7 @@ public:
         });
         forEachBlock(m_ranges.size(), 8192, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
-                m_ranges[t] = cellRange(triangle(t), 0, m_count[0]);
+                m_ranges[t] = cellRange(cornersOf(m_vertices, mesh.triangles[t]), 0, m_count[0]);
         });
     }
 
@@ -227,17 +227,11 @@ public:
     }
 
 private:
-    std::array<Vec3, 3> triangle(std::size_t t) const
-    {
-        const TriangleMesh::Triangle& corners = m_mesh.triangles[t];
-        return {m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]};
-    }
-
     PolygonList polygonsOfSlab(std::int32_t u, std::span<const std::uint32_t> triangles) const
     {
         PolygonList polygons;
         for (const std::uint32_t t : triangles)
-            polygons.add(clipToCell(triangle(t), 0, u, m_ranges[t]).span());
+            polygons.add(clipToCell(cornersOf(m_vertices, m_mesh.triangles[t]), 0, u, m_ranges[t]).span());
         return polygons;
     }
 
@@ -315,6 +309,15 @@ CutCells::Slab withoutScraps(const CutCells& cells, std::size_t u, double minimu
     return left;
 }
 
+template <typename OfSlab>
+auto sumOver(const std::vector<CutCells::Slab>& slabs, OfSlab ofSlab)
+{
+    decltype(ofSlab(slabs.front())) sum = 0;
+    for (const CutCells::Slab& slab : slabs)
+        sum += ofSlab(slab);
+    return sum;
+}
+
 } // namespace
 
 CellGrid gridAround(const Box& box, double spacing, std::optional<Eigen::Index> rowAxis)
@@ -350,42 +353,28 @@ CutCells::Row CutCells::Slab::row(std::int32_t v) const
 
 double CutCells::volume() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += slab.volume;
-    return sum;
+    return sumOver(slabs, [](const Slab& slab) { return slab.volume; });
 }
 
 double CutCells::keptVolume() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += std::accumulate(slab.fraction.begin(), slab.fraction.end(), 0.0);
-    return sum;
+    return sumOver(slabs,
+                   [](const Slab& slab) { return std::accumulate(slab.fraction.begin(), slab.fraction.end(), 0.0); });
 }
 
 std::size_t CutCells::size() const
 {
-    std::size_t count = 0;
-    for (const Slab& slab : slabs)
-        count += slab.w.size();
-    return count;
+    return sumOver(slabs, [](const Slab& slab) { return slab.w.size(); });
 }
 
 std::size_t CutCells::decided() const
 {
-    std::size_t count = 0;
-    for (const Slab& slab : slabs)
-        count += slab.decided;
-    return count;
+    return sumOver(slabs, [](const Slab& slab) { return slab.decided; });
 }
 
 double CutCells::doubtful() const
 {
-    double sum = 0;
-    for (const Slab& slab : slabs)
-        sum += slab.doubtful;
-    return sum;
+    return sumOver(slabs, [](const Slab& slab) { return slab.doubtful; });
 }
 
 CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,

@@ -8,11 +8,6 @@ namespace knead {
 
 namespace {
 
-Lattice::Node sum(const Lattice::Node& a, const Lattice::Node& b)
-{
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
 // Written out: the comparison of arrays calls memcmp for equality.
 bool isBefore(const Lattice::Node& a, const Lattice::Node& b)
 {
@@ -30,7 +25,7 @@ std::vector<Lattice::Segment> findSegments(const std::vector<Lattice::Node>& nod
     const auto count = static_cast<ObjectIndex>(nodes.size());
     ObjectIndex neighbor = 0;
     for (ObjectIndex object = 0; object < count; ++object) {
-        const Lattice::Node wanted = sum(nodes[object], direction);
+        const Lattice::Node wanted = Lattice::sum(nodes[object], direction);
         while (neighbor < count && isBefore(nodes[neighbor], wanted))
             ++neighbor;
         if (neighbor == count)
@@ -47,6 +42,13 @@ std::vector<Lattice::Segment> findSegments(const std::vector<Lattice::Node>& nod
 }
 
 } // namespace
+
+std::vector<Vec3> Lattice::positions() const
+{
+    std::vector<Vec3> places(size());
+    std::ranges::transform(nodes, places.begin(), [this](const Node& node) { return position(node); });
+    return places;
+}
 
 ObjectIndex Lattice::find(const Node& node) const
 {

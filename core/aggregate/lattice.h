@@ -23,6 +23,13 @@ struct Lattice {
     static constexpr int isotropicCount = 9; ///< the first ones: of the 18 neighbors
     static constexpr const auto& directions = latticeDirections;
 
+    static constexpr Node sum(const Node& a, const Node& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+    static constexpr Node difference(const Node& a, const Node& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+    /// Corners of a cell from its lowest one, (i, j, k) at place 4 i + 2 j + k.
+    static constexpr std::array<Node, 8> cellCorners{
+        {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}}};
+
     /// A stretch of objects whose neighbor in one direction is `offset` further on.
     /// Objects inside it that have no such neighbor carry a connection of weight 0; begin + offset .. end + offset exist.
     struct Segment {
@@ -42,6 +49,7 @@ struct Lattice {
 
     Vec3 position(const Node& node) const { return origin + spacing * (axes * Vec3(node[0], node[1], node[2])); }
     Vec3 position(ObjectIndex object) const { return position(nodes[object]); }
+    std::vector<Vec3> positions() const; ///< of all objects
 
     /// Vector from an object to its neighbor in a direction, at rest [m].
     Vec3 direction(int d) const

@@ -33,7 +33,7 @@ void MaterialMap::set(const std::vector<ObjectIndex>& objects, const Material& m
 
 MaterialMap::Index MaterialMap::place(const Material& material)
 {
-    const auto found = std::find(m_materials.begin(), m_materials.end(), material);
+    const auto found = std::ranges::find(m_materials, material);
     if (found != m_materials.end())
         return static_cast<Index>(found - m_materials.begin());
     if (m_materials.size() == std::numeric_limits<Index>::max())

@@ -150,14 +150,12 @@ void setVolumes(Aggregate& aggregate)
 {
     const double a = aggregate.lattice.spacing;
     const double share = a * a * a / 18;
-    std::fill(aggregate.volume.begin(), aggregate.volume.end(), 0.0);
-    for (std::size_t d = 0; d < familyCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex low = segment.begin; low < segment.end; ++low) {
-                const double volume = share * aggregate.weight[d][low];
-                aggregate.volume[low] += volume;
-                aggregate.volume[low + static_cast<ObjectIndex>(segment.offset)] += volume;
-            }
+    std::ranges::fill(aggregate.volume, 0.0);
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        const double volume = share * aggregate.weight[d][lower];
+        aggregate.volume[lower] += volume;
+        aggregate.volume[upper] += volume;
+    });
 }
 
 } // namespace
@@ -165,7 +163,7 @@ void setVolumes(Aggregate& aggregate)
 Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskControl& control)
 {
     const std::vector<std::vector<ThinCell>> thin = findThinCells(cells);
-    if (std::all_of(thin.begin(), thin.end(), [](const auto& slab) { return slab.empty(); }))
+    if (std::ranges::all_of(thin, [](const auto& slab) { return slab.empty(); }))
         return aggregate;
 
     std::vector<std::vector<ThinBlock>> blocks = thinBlocksOf(thin);

@@ -27,11 +27,10 @@ Pieces findPieces(const Aggregate& aggregate, std::span<const BrokenConnection> 
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     DisjointSets sets(aggregate.size());
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-                if (aggregate.weight[d][object] > 0 && (isBroken[object] >> d & 1U) == 0)
-                    sets.join(object, object + static_cast<ObjectIndex>(segment.offset));
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        if ((isBroken[lower] >> d & 1U) == 0)
+            sets.join(lower, upper);
+    });
 
     constexpr std::uint32_t none = 0xffffffffU;
     std::vector<std::uint32_t> pieceOfRoot(aggregate.size(), none);
@@ -58,11 +57,7 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
                   std::span<const std::uint16_t> isBroken)
 {
     const auto pick = [&](const auto& values) {
-        std::decay_t<decltype(values)> picked;
-        if (!values.empty())
-            for (const ObjectIndex object : objects)
-                picked.push_back(values[object]);
-        return picked;
+        return values.empty() ? std::decay_t<decltype(values)>() : pickedOf(values, objects);
     };
     Aggregate part;
     part.lattice.origin = aggregate.lattice.origin;
@@ -89,7 +84,7 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
                 break;
             const ObjectIndex neighbor = objects[i] + static_cast<ObjectIndex>(segment->offset);
             if (segment->begin <= objects[i] && (isBroken[objects[i]] >> d & 1U) == 0 &&
-                std::binary_search(objects.begin(), objects.end(), neighbor))
+                std::ranges::binary_search(objects, neighbor))
                 part.weight[d][i] = aggregate.weight[d][objects[i]];
         }
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace knead {
@@ -36,5 +37,16 @@ std::shared_ptr<const Aggregate> withoutBroken(const std::shared_ptr<const Aggre
 /// @param isBroken see brokenDirections()
 Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objects,
                   std::span<const std::uint16_t> isBroken);
+
+/// Values of some objects.
+template <typename Values>
+auto pickedOf(const Values& values, std::span<const ObjectIndex> objects)
+{
+    std::vector<std::decay_t<decltype(values[0])>> some;
+    some.reserve(objects.size());
+    for (const ObjectIndex object : objects)
+        some.push_back(values[object]);
+    return some;
+}
 
 } // namespace knead

@@ -64,10 +64,7 @@ void connect(Aggregate& aggregate)
         aggregate.weight[d].assign(aggregate.size(), 0);
         for (const Lattice::Segment& segment : lattice.segments[d])
             for (ObjectIndex i = segment.begin; i < segment.end; ++i) {
-                Lattice::Node neighbor = lattice.nodes[i];
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    neighbor[axis] += step[axis];
-                if (lattice.nodes[i + static_cast<ObjectIndex>(segment.offset)] != neighbor)
+                if (lattice.nodes[i + static_cast<ObjectIndex>(segment.offset)] != Lattice::sum(lattice.nodes[i], step))
                     continue;
                 aggregate.weight[d][i] = 1;
                 sum += squared;

@@ -1,5 +1,7 @@
 #include "core/aggregate/row_repair.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,14 +27,6 @@ bool isEmptyOrFull(double value)
     return std::abs(value) <= rounding || std::abs(value - 1) <= rounding;
 }
 
-/// The vertex that stands for the hole that a vertex is at.
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t v)
-{
-    while (parent[v] != v)
-        v = parent[v] = parent[parent[v]];
-    return v;
-}
-
 } // namespace
 
 RowRepair::RowRepair(const TriangleMesh& mesh, const HalfEdges& halfEdges, const CellGrid& grid, double orientation)
@@ -47,23 +41,20 @@ RowRepair::RowRepair(const TriangleMesh& mesh, const HalfEdges& halfEdges, const
 /// The surface that would close a hole lies in the box around its rim, or close to it.
 void RowRepair::suspectHoles(const HalfEdges& halfEdges)
 {
-    std::vector<std::uint32_t> parent(m_mesh.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0U);
+    DisjointSets holes(m_mesh.vertices.size());
     std::vector<std::uint32_t> rim;
     for (std::uint32_t h = 0; h < halfEdges.twin.size(); ++h) {
         if (halfEdges.twin[h] != HalfEdges::none)
             continue;
         const TriangleMesh::Triangle& t = m_mesh.triangles[h / 3];
-        const std::uint32_t a = find(parent, t[h % 3]);
-        const std::uint32_t b = find(parent, t[(h + 1) % 3]);
-        parent[std::max(a, b)] = std::min(a, b);
+        holes.joinToLowest(t[h % 3], t[(h + 1) % 3]);
         rim.insert(rim.end(), {t[h % 3], t[(h + 1) % 3]});
     }
-    std::sort(rim.begin(), rim.end());
+    std::ranges::sort(rim);
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
     std::vector<Box> boxes(m_mesh.vertices.size() * (rim.empty() ? 0 : 1));
     for (const std::uint32_t v : rim)
-        boxes[find(parent, v)].extend(m_grid.frame.coordinates(m_mesh.vertices[v]));
+        boxes[holes.find(v)].extend(m_grid.frame.coordinates(m_mesh.vertices[v]));
     for (const Box& box : boxes) {
         if (box.isEmpty())
             continue;
@@ -89,8 +80,7 @@ CellRange RowRepair::suspectRows(std::int32_t u) const
 bool RowRepair::isSuspect(std::int32_t u, std::int32_t v) const
 {
     const std::vector<Hole>& holes = m_holes[static_cast<std::size_t>(u)];
-    return std::any_of(holes.begin(), holes.end(),
-                       [&](const Hole& hole) { return v >= hole.v.first && v <= hole.v.last; });
+    return std::ranges::any_of(holes, [&](const Hole& hole) { return v >= hole.v.first && v <= hole.v.last; });
 }
 
 std::vector<std::uint8_t> RowRepair::suspectCells(std::int32_t u, std::int32_t v) const

@@ -31,8 +31,7 @@ std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice,
 {
     std::vector<Vertex> vertices(mesh.vertices.size());
     for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-        const Vec3& a = mesh.vertices[triangle[0]];
-        const Vec3 normal = 0.5 * orientation * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+        const Vec3 normal = 0.5 * orientation * crossOf(mesh.vertices, triangle);
         for (const std::uint32_t corner : triangle) {
             vertices[corner].normal += normal / 3;
             vertices[corner].area += normal.norm() / 3;
@@ -45,8 +44,8 @@ std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice,
             vertices[v].box[axis] = static_cast<std::int32_t>(std::floor(local[static_cast<Eigen::Index>(axis)]));
     }
     std::erase_if(vertices, [](const Vertex& vertex) { return vertex.area == 0; });
-    std::sort(vertices.begin(), vertices.end(),
-              [](const Vertex& a, const Vertex& b) { return std::tie(a.box, a.index) < std::tie(b.box, b.index); });
+    std::ranges::sort(
+        vertices, [](const Vertex& a, const Vertex& b) { return std::tie(a.box, a.index) < std::tie(b.box, b.index); });
     return vertices;
 }
 
@@ -59,7 +58,7 @@ SkinPoint pointFor(const std::vector<Vertex>& side, const TriangleMesh& mesh)
         outward += vertex.normal;
         area += vertex.area;
     }
-    const auto farthest = std::max_element(side.begin(), side.end(), [&](const Vertex& a, const Vertex& b) {
+    const auto farthest = std::ranges::max_element(side, [&](const Vertex& a, const Vertex& b) {
         return mesh.vertices[a.index].dot(outward) < mesh.vertices[b.index].dot(outward);
     });
     return {mesh.vertices[farthest->index], area};

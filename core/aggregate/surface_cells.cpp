@@ -38,7 +38,7 @@ struct View {
     /// Least and greatest height of the plane over a square, as far as the triangle reaches.
     std::array<double, 2> heightsOver(const Eigen::AlignedBox2d& square) const
     {
-        const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+        const auto [low, high] = std::ranges::minmax_element(heights);
         if (orientation == 0)
             return {*low, *high};
         const double middle = heights[0] + slope.dot(square.center() - corners[0]);

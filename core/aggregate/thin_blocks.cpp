@@ -217,7 +217,7 @@ std::vector<std::vector<ThinBlock>> thinBlocksOf(const std::vector<std::vector<T
             return std::pair(placeOf(one.cell, pairing), one.cell) <
                    std::pair(placeOf(other.cell, pairing), other.cell);
         };
-        std::stable_sort(cells.begin(), cells.end(), isBefore);
+        std::ranges::stable_sort(cells, isBefore);
         for (const ThinCell& cell : cells) {
             if (all[i].empty() || all[i].back().place() != placeOf(cell.cell, pairing))
                 all[i].emplace_back(placeOf(cell.cell, pairing), nodeOf(cell.cell, pairing));

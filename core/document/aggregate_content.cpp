@@ -6,15 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 namespace knead {
 
 namespace {
-
-template <typename Stream, typename Value>
-using Of = std::conditional_t<Stream::isReader, Value, const Value>;
 
 void numbers(ByteWriter& bytes, const std::vector<double>& values, std::size_t count)
 {
@@ -25,7 +21,7 @@ void numbers(ByteReader& bytes, std::vector<double>& values, std::size_t count)
 {
     LaneVector<double> read;
     bytes.numbers(read, count);
-    if (!std::all_of(read.begin(), read.end(), [](double number) { return std::isfinite(number); }))
+    if (!std::ranges::all_of(read, [](double number) { return std::isfinite(number); }))
         throw Problem(Message("History", "a number of an object is none"));
     values.assign(read.begin(), read.end());
 }
@@ -93,10 +89,7 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
     bytes(carriedBy.former != nullptr);
     if (carriedBy.former)
         writeRefilled(bytes, carriedBy);
-    const std::vector<Vec3>& displacements = aggregate.former->displacements();
-    VectorArray carriers(displacements.size());
-    for (std::size_t i = 0; i < displacements.size(); ++i)
-        carriers.set(i, displacements[i]);
+    const VectorArray carriers(aggregate.former->displacements());
     bytes.numbers(carriers, carriers.size());
     broken(bytes, aggregate.former->broken());
 }
@@ -124,8 +117,7 @@ std::shared_ptr<const Aggregate> readStage(ByteReader& bytes, const std::shared_
     skin(bytes, aggregate->skin);
     const auto isMaterial = [](double volume) { return volume > 0; };
     if (aggregate->volume.size() != count || aggregate->depth.size() != count || aggregate->face.size() != count ||
-        !std::all_of(aggregate->volume.begin(), aggregate->volume.end(), isMaterial) ||
-        !areSoundPoints(aggregate->skin, aggregate->lattice))
+        !std::ranges::all_of(aggregate->volume, isMaterial) || !areSoundPoints(aggregate->skin, aggregate->lattice))
         throw Problem(Message("History", "a filling is not as it can be"));
     bool isLater = false;
     if (version >= 9)

@@ -78,6 +78,10 @@ private:
     Bytes m_bytes;
 };
 
+/// What a stream writes from or reads to, so that one description serves both.
+template <typename Stream, typename Value>
+using Of = std::conditional_t<Stream::isReader, Value, const Value>;
+
 /// The other way. Trusts no count: memory grows only with what is really there.
 /// @throws Problem "it ends early" and the like
 class ByteReader {

@@ -53,13 +53,18 @@ HistoryRecord recordOf(Gesture gesture, Message words, const Packing& packing)
     return record;
 }
 
-MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
+MomentPointer beginOf(const Way& way, const Scene& scene, const Packing& packing)
 {
+    if (!way.from)
+        return nullptr;
     ToolParts parts = toolPartsOf(scene, way.commands);
     parts.insert(parts.end(), way.parts.begin(), way.parts.end());
-    MomentPointer begin;
-    if (way.from)
-        begin = std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, packing));
+    return std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, packing));
+}
+
+MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
+{
+    MomentPointer begin = beginOf(way, scene, packing);
     if (begin && way.commands.empty())
         return begin;
     Simulation simulation(scene);
@@ -146,7 +151,7 @@ std::vector<History::Entry> History::pathTo(Entry entry) const
     std::vector<Entry> path{entry};
     for (; entry != 0; path.push_back(entry))
         entry = m_records[entry].parent;
-    std::reverse(path.begin(), path.end());
+    std::ranges::reverse(path);
     return path;
 }
 

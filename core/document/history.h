@@ -28,6 +28,11 @@ struct Way {
     ToolParts parts;                       ///< of tools that came after the start
 };
 
+/// The moment that a way begins with; null: the beginning of its start.
+/// @param scene the start that the way names
+/// @throws Problem when it cannot be read
+MomentPointer beginOf(const Way& way, const Scene& scene, const Packing& packing);
+
 /// Goes a way: unpacks the moment it begins with and repeats the commands, if there are any. Takes as long as they took.
 /// @param scene the start that the way names
 /// @throws Problem when the moment cannot be read or the way ends elsewhere than it did; Cancelled
@@ -72,6 +77,7 @@ public:
     std::vector<Entry> pathTo(Entry entry) const;     ///< from the first entry on, both included
     std::vector<Entry> wayOn() const;                 ///< where redo would go, one after the other
     Way wayTo(Entry entry) const;
+    bool beginsStart(Entry entry) const; ///< its start is another one than that of the entry before
 
     void rename(Entry entry, std::string name);
     void setKey(Entry entry, bool isKey); ///< key moments are dropped after all others
@@ -86,7 +92,6 @@ public:
 
 private:
     Entry add(HistoryRecord record);
-    bool beginsStart(Entry entry) const;
     void thin();
 
     std::vector<HistoryRecord> m_records;

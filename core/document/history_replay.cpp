@@ -52,12 +52,6 @@ HistoryReplay::HistoryReplay(const Project& project, From from, Packing packing)
 
 HistoryReplay::~HistoryReplay() = default;
 
-bool HistoryReplay::beginsStart(History::Entry entry) const
-{
-    const HistoryRecord& record = m_history.record(entry);
-    return entry == 0 || m_history.record(record.parent).start != record.start;
-}
-
 /// Whether what follows an entry goes on from a moment, and not from a state that was only passed.
 bool HistoryReplay::continuesAt(History::Entry entry) const
 {
@@ -71,11 +65,8 @@ std::vector<RecordedCommand> HistoryReplay::goToWay(const Way& way)
 {
     const Scene& scene = m_project.starts[way.start].scene;
     m_simulation.emplace(scene);
-    if (way.from) {
-        ToolParts parts = toolPartsOf(scene, way.commands);
-        parts.insert(parts.end(), way.parts.begin(), way.parts.end());
-        m_simulation->goTo(std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, m_packing)));
-    }
+    if (MomentPointer begin = beginOf(way, scene, m_packing))
+        m_simulation->goTo(std::move(begin));
     return way.commands;
 }
 
@@ -83,7 +74,7 @@ std::vector<RecordedCommand> HistoryReplay::goToWay(const Way& way)
 std::vector<RecordedCommand> HistoryReplay::goToBegin(History::Entry entry)
 {
     const HistoryRecord& record = m_history.record(entry);
-    if (beginsStart(entry) || record.moment)
+    if (m_history.beginsStart(entry) || record.moment)
         return goToWay(m_history.wayTo(entry));
     if (m_simulation && m_at == record.parent)
         return record.commands;
@@ -98,9 +89,9 @@ std::vector<RecordedCommand> HistoryReplay::goToBegin(History::Entry entry)
 void HistoryReplay::remember(History::Entry entry, const std::set<History::Entry>& next)
 {
     const auto isWanted = [&](History::Entry other) {
-        return other > entry + 1 && m_history.record(other).parent == entry && !beginsStart(other);
+        return other > entry + 1 && m_history.record(other).parent == entry && !m_history.beginsStart(other);
     };
-    if (continuesAt(entry) && std::any_of(next.begin(), next.end(), isWanted))
+    if (continuesAt(entry) && std::ranges::any_of(next, isWanted))
         m_branches[entry] = m_simulation->keepMoment();
 }
 
@@ -125,7 +116,7 @@ RepeatedEntry HistoryReplay::repeat(History::Entry entry, TaskControl& control, 
     const HistoryRecord& record = m_history.record(entry);
     RepeatedEntry result{.entry = entry};
     try {
-        if (m_lost.contains(record.parent) && !beginsStart(entry) && !record.moment)
+        if (m_lost.contains(record.parent) && !m_history.beginsStart(entry) && !record.moment)
             throw Problem(Message("History", "The entry before it was not reached."));
         const std::vector<RecordedCommand> commands = goToBegin(entry);
         Simulation from = std::move(*m_simulation);
@@ -157,7 +148,7 @@ std::shared_ptr<const Snapshot> HistoryReplay::snapshot()
 std::uint64_t HistoryReplay::ownSteps(History::Entry entry) const
 {
     const HistoryRecord& record = m_history.record(entry);
-    return stepsOf(beginsStart(entry) ? 0 : m_history.record(record.parent).step, record);
+    return stepsOf(m_history.beginsStart(entry) ? 0 : m_history.record(record.parent).step, record);
 }
 
 } // namespace knead

@@ -58,7 +58,6 @@ private:
     void remember(History::Entry entry, const std::set<History::Entry>& next);
     RepeatedEntry::Whole compareWhole(History::Entry entry);
     bool continuesAt(History::Entry entry) const;
-    bool beginsStart(History::Entry entry) const;
 
     const Project& m_project;
     History m_history; ///< without moments where everything is repeated

@@ -6,7 +6,6 @@
 #include "core/message/message.h"
 #include "core/task/task_control.h"
 
-#include <string>
 #include <vector>
 
 namespace knead {

@@ -60,7 +60,7 @@ ToolParts toolPartsOf(const Scene& scene, std::span<const RecordedCommand> comma
 {
     ToolParts parts;
     const auto add = [&](const std::shared_ptr<const ToolPart>& part) {
-        if (part && std::find(parts.begin(), parts.end(), part) == parts.end())
+        if (part && std::ranges::find(parts, part) == parts.end())
             parts.push_back(part);
     };
     for (const Manipulator& manipulator : scene.manipulators)

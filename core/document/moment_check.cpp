@@ -3,7 +3,6 @@
 #include "core/simulation/scene_limits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -231,8 +230,7 @@ private:
                all(memory.touches, isTouch) && all(memory.edges, isHold) &&
                all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
                all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
-               std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&
-               isAmount(memory.frequency);
+               std::ranges::adjacent_find(joints, isOutOfOrder) == joints.end() && isAmount(memory.frequency);
     }
 
     bool areNumbers() const

@@ -5,17 +5,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <type_traits>
 #include <variant>
 
 /// What a person has put around the bodies, as bytes of a moment: tools, fixtures, loads.
 ///
-/// One description serves a ByteWriter and a ByteReader: `Of<Stream, T>` is what the one writes from and the other reads to. A
-/// change of anything here is a new version of what momentToBytes() gives.
+/// One description serves a ByteWriter and a ByteReader, see Of. A change of anything here is a new version of what momentToBytes()
+/// gives.
 namespace knead::moment_fields {
-
-template <typename Stream, typename Value>
-using Of = std::conditional_t<Stream::isReader, Value, const Value>;
 
 inline std::uint64_t fingerprintOf(const ToolPart& part)
 {
@@ -41,8 +37,8 @@ inline void toolPart(ByteReader& bytes, std::shared_ptr<const ToolPart>& part, c
     part = nullptr;
     if (fingerprint == 0)
         return;
-    const auto found = std::find_if(parts.begin(), parts.end(),
-                                    [&](const auto& candidate) { return fingerprintOf(*candidate) == fingerprint; });
+    const auto found =
+        std::ranges::find_if(parts, [&](const auto& candidate) { return fingerprintOf(*candidate) == fingerprint; });
     if (found == parts.end())
         throw Problem(Message("History", "a tool is made of a part that the document does not have"));
     part = *found;
@@ -204,8 +200,8 @@ void loadsAndTurns(Stream& bytes, Of<Stream, Moment>& moment)
 
 inline bool hasLoadsOrTurns(const Moment& moment)
 {
-    return !moment.loads.empty() || std::any_of(moment.fixtures.begin(), moment.fixtures.end(),
-                                                [](const auto& fixture) { return fixture && fixture->turn.turns(); });
+    return !moment.loads.empty() ||
+           std::ranges::any_of(moment.fixtures, [](const auto& fixture) { return fixture && fixture->turn.turns(); });
 }
 
 } // namespace knead::moment_fields

@@ -11,7 +11,7 @@ std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project)
     ToolParts all;
     const auto add = [&all](const ToolParts& parts) {
         for (const auto& part : parts)
-            if (std::find(all.begin(), all.end(), part) == all.end())
+            if (std::ranges::find(all, part) == all.end())
                 all.push_back(part);
     };
     for (const ProjectStart& start : project.starts)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -23,6 +24,13 @@ public:
     }
 
     void join(std::size_t a, std::size_t b) { m_parent[find(a)] = find(b); }
+
+    /// The same, with the lowest member for the whole set: where all of it is joined so.
+    void joinToLowest(std::size_t a, std::size_t b)
+    {
+        const auto [low, high] = std::minmax({find(a), find(b)});
+        m_parent[high] = low;
+    }
 
     std::size_t count() const
     {

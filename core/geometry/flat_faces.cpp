@@ -33,8 +33,7 @@ public:
         , m_group(mesh.triangles.size(), noGroup)
     {
         for (const TriangleMesh::Triangle& t : mesh.triangles)
-            m_area.push_back(
-                (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+            m_area.push_back(crossOf(mesh.vertices, t));
         growAll();
         for (std::size_t i = 0; i < m_groups.size(); ++i) // more come while it goes on
             takeMeetingsApart(static_cast<std::uint32_t>(i));
@@ -75,8 +74,8 @@ private:
     {
         TriangleGroup order(m_mesh.triangles.size());
         std::iota(order.begin(), order.end(), 0U);
-        std::stable_sort(order.begin(), order.end(),
-                         [this](auto a, auto b) { return m_area[a].squaredNorm() > m_area[b].squaredNorm(); });
+        std::ranges::stable_sort(order,
+                                 [this](auto a, auto b) { return m_area[a].squaredNorm() > m_area[b].squaredNorm(); });
         for (const std::uint32_t seed : order)
             if (m_group[seed] == noGroup)
                 grow(seed, [this, seed](std::uint32_t t) { return m_group[t] == noGroup && isInPlane(t, seed); });
@@ -131,7 +130,7 @@ private:
         TriangleGroup rest;
         for (const std::uint32_t triangle : all) {
             const TriangleMesh::Triangle& t = m_mesh.triangles[triangle];
-            if (std::any_of(t.begin(), t.end(), [&](std::uint32_t vertex) { return meetings.contains(vertex); }))
+            if (std::ranges::any_of(t, [&](std::uint32_t vertex) { return meetings.contains(vertex); }))
                 grow(triangle, [](std::uint32_t) { return false; });
             else
                 rest.push_back(triangle);
@@ -197,7 +196,7 @@ private:
     {
         const auto fan = m_halfEdges.leaving(vertex);
         return static_cast<std::size_t>(
-            std::count_if(fan.begin(), fan.end(), [this](std::uint32_t h) { return m_grouping.isBorder(h); }));
+            std::ranges::count_if(fan, [this](std::uint32_t h) { return m_grouping.isBorder(h); }));
     }
 
     void see(std::uint32_t halfEdge)
@@ -281,7 +280,7 @@ private:
     std::vector<std::uint8_t> m_isSeen;   // per half-edge
 };
 
-std::vector<std::uint32_t> cornersOf(const EdgeLoop& loop, const Grouping& grouping, const Borders& borders)
+std::vector<std::uint32_t> neededCorners(const EdgeLoop& loop, const Grouping& grouping, const Borders& borders)
 {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t halfEdge : loop)
@@ -331,7 +330,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
         isChanged = false;
         for (const std::vector<EdgeLoop>& all : loops)
             for (const EdgeLoop& loop : all)
-                if (const std::size_t left = cornersOf(loop, grouping, borders).size();
+                if (const std::size_t left = neededCorners(loop, grouping, borders).size();
                     left < 3 && left < loop.size()) {
                     for (const std::uint32_t halfEdge : loop)
                         borders.need(grouping.startOf(halfEdge));
@@ -340,7 +339,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
     }
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (const EdgeLoop& loop : loops[i])
-            faces[i].loops.push_back(cornersOf(loop, grouping, borders));
+            faces[i].loops.push_back(neededCorners(loop, grouping, borders));
     return faces;
 }
 

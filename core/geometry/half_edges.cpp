@@ -1,6 +1,6 @@
 #include "core/geometry/half_edges.h"
 
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <algorithm>
 #include <numeric>
@@ -96,11 +96,13 @@ HalfEdges findHalfEdges(const TriangleMesh& mesh)
     result.twin.assign(3 * mesh.triangles.size(), HalfEdges::none);
     gatherFans(mesh, result);
     sortFans(mesh, result);
-    std::vector<std::size_t> unpaired((mesh.vertices.size() + verticesPerBlock - 1) / verticesPerBlock, 0);
-    forEachBlock(mesh.vertices.size(), verticesPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            unpaired[begin / verticesPerBlock] += pair(mesh, static_cast<std::uint32_t>(v), result);
-    });
+    const auto unpaired =
+        ofEachBlock<std::size_t>(mesh.vertices.size(), verticesPerBlock, [&](std::size_t begin, std::size_t end) {
+            std::size_t count = 0;
+            for (std::size_t v = begin; v < end; ++v)
+                count += pair(mesh, static_cast<std::uint32_t>(v), result);
+            return count;
+        });
     result.unpaired = std::reduce(unpaired.begin(), unpaired.end());
     return result;
 }

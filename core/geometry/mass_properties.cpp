@@ -1,7 +1,7 @@
 #include "core/geometry/mass_properties.h"
 
 #include "core/geometry/half_edges.h"
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <span>
 
@@ -51,12 +51,11 @@ MassProperties massProperties(const TriangleMesh& mesh)
 
     const Vec3 middle = result.box.center();
     constexpr std::size_t blockSize = 16384;
-    std::vector<Sums> blocks((mesh.triangles.size() + blockSize - 1) / blockSize);
-    forEachBlock(mesh.triangles.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        blocks[begin / blockSize] = sumsOver({mesh.triangles.data() + begin, end - begin}, mesh.vertices, middle);
-    });
+    const auto ofBlock = [&](std::size_t begin, std::size_t end) {
+        return sumsOver({mesh.triangles.data() + begin, end - begin}, mesh.vertices, middle);
+    };
     Sums all;
-    for (const Sums& block : blocks) {
+    for (const Sums& block : ofEachBlock<Sums>(mesh.triangles.size(), blockSize, ofBlock)) {
         all.area += block.area;
         all.sixVolumes += block.sixVolumes;
         all.moment += block.moment;

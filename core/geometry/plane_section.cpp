@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -50,7 +49,7 @@ public:
     /// The sides one after the other.
     std::vector<Loop> loops()
     {
-        std::sort(m_sides.begin(), m_sides.end());
+        std::ranges::sort(m_sides);
         std::vector<bool> isUsed(m_sides.size(), false);
         std::vector<Loop> loops;
         for (std::size_t first = 0; first < m_sides.size(); ++first) {
@@ -134,7 +133,7 @@ bool isStraight(const Loop& loop, std::size_t from, std::size_t to, double toler
 Loop simplified(Loop loop, double tolerance)
 {
     constexpr std::size_t longest = 64; // corners that are left out at a time: keeps it linear
-    const auto first = std::max_element(loop.begin(), loop.end(), [](const Vec2& a, const Vec2& b) {
+    const auto first = std::ranges::max_element(loop, [](const Vec2& a, const Vec2& b) {
         return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); // certainly a corner
     });
     std::rotate(loop.begin(), first, loop.end());
@@ -214,7 +213,7 @@ double PlaneSection::area() const
 {
     Vec3 sum = Vec3::Zero();
     for (const auto& t : triangles)
-        sum += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+        sum += crossOf(points, t);
     return sum.norm() / 2;
 }
 

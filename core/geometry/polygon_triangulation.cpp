@@ -55,9 +55,8 @@ public:
     {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         while (m_left.size() >= 3) {
-            const auto best = std::max_element(m_left.begin(), m_left.end(), [&](std::size_t i, std::size_t j) {
-                return m_quality[i] < m_quality[j];
-            });
+            const auto best = std::ranges::max_element(
+                m_left, [&](std::size_t i, std::size_t j) { return m_quality[i] < m_quality[j]; });
             const std::size_t ear = *best;
             triangles.push_back({m_loop[m_previous[ear]], m_loop[ear], m_loop[m_next[ear]]});
             m_left.erase(best);
@@ -85,7 +84,7 @@ private:
         const Vec2& a = m_corners[own[0]];
         const Vec2& b = m_corners[own[1]];
         const Vec2& c = m_corners[own[2]];
-        return std::none_of(m_left.begin(), m_left.end(), [&](std::size_t other) {
+        return std::ranges::none_of(m_left, [&](std::size_t other) {
             const std::uint32_t corner = m_loop[other];
             if (corner == own[0] || corner == own[1] || corner == own[2])
                 return false;
@@ -149,8 +148,7 @@ void bridge(std::span<const Vec2> corners, std::vector<std::uint32_t>& loop, con
         const std::uint32_t from = loop[(end - 1)->from];
         const std::uint32_t to = hole[(end - 1)->to];
         if (isClear(corners, from, to, loop) && isClear(corners, from, to, hole) &&
-            std::all_of(others.begin(), others.end(),
-                        [&](const auto& other) { return isClear(corners, from, to, other); })) {
+            std::ranges::all_of(others, [&](const auto& other) { return isClear(corners, from, to, other); })) {
             way = *(end - 1);
             break;
         }

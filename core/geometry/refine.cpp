@@ -19,11 +19,6 @@ constexpr double largestStretch = 16;
 // Where it jumps along an edge, triangles on it would be split without end. Edges need few passes to be half as long.
 constexpr int mostPasses = 16;
 
-std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
-{
-    return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
-}
-
 /// One pass: every edge that is too long gets a vertex in its middle, shared by its triangles.
 class Splitter {
 public:
@@ -55,7 +50,7 @@ private:
             (m_mesh.vertices[a] - m_mesh.vertices[b]).squaredNorm() < m_leastSquared)
             return std::nullopt;
         const auto next = static_cast<std::uint32_t>(m_result.vertices.size());
-        const auto [place, isNew] = m_middle.try_emplace(edgeKey(a, b), next);
+        const auto [place, isNew] = m_middle.try_emplace(pairKey(a, b), next);
         if (isNew)
             m_result.vertices.push_back(0.5 * (m_mesh.vertices[a] + m_mesh.vertices[b]));
         return place->second;
@@ -74,7 +69,7 @@ private:
         std::array<std::optional<std::uint32_t>, 3> m; // m[i] lies between v[i] and v[i+1]
         for (std::size_t i = 0; i < 3; ++i)
             m[i] = middle(v[i], v[(i + 1) % 3]);
-        const auto count = std::count_if(m.begin(), m.end(), [](const auto& x) { return x.has_value(); });
+        const auto count = std::ranges::count_if(m, [](const auto& x) { return x.has_value(); });
         if (count == 0)
             return add(v[0], v[1], v[2], t);
         if (count == 3) {
@@ -130,10 +125,8 @@ double longestEdge(const TriangleMesh& mesh, const std::vector<Vec3>& places)
 double areaOf(const TriangleMesh& mesh, const std::vector<Vec3>& places)
 {
     double area = 0;
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3& a = places[t[0]];
-        area += 0.5 * (places[t[1]] - a).cross(places[t[2]] - a).norm();
-    }
+    for (const Triangle& t : mesh.triangles)
+        area += 0.5 * crossOf(places, t).norm();
     return area;
 }
 

@@ -100,9 +100,7 @@ private:
 
     void findBoxes()
     {
-        Box box;
-        for (const Vec3& vertex : m_mesh.vertices)
-            box.extend(vertex);
+        const Box box = boxOfPlaces(m_mesh.vertices);
         const double size = box.sizes().maxCoeff();
         const double scale = size > 0 ? 1 / size : 1;
         m_tolerance = toleranceShare * size;
@@ -208,7 +206,7 @@ private:
             for (const Found& one : found)
                 if (rank < one.some.size() && all.some.size() < m_most)
                     all.some.push_back(one.some[rank]);
-        std::sort(all.some.begin(), all.some.end());
+        std::ranges::sort(all.some);
         return all;
     }
 

@@ -12,18 +12,6 @@ namespace {
 
 constexpr double flatness = 1e-5; // share of the squared normals across the mean one below which a patch is flat
 
-std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, std::uint32_t triangle, std::span<const Vec3> places)
-{
-    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
-    return {places[t[0]], places[t[1]], places[t[2]]};
-}
-
-/// As long as twice the area.
-Vec3 normalOf(const std::array<Vec3, 3>& t)
-{
-    return (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
 std::vector<Vec3> verticesOf(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
                              std::span<const Vec3> places, std::size_t most)
 {
@@ -32,7 +20,7 @@ std::vector<Vec3> verticesOf(const TriangleMesh& mesh, std::span<const std::uint
         for (const std::uint32_t v : mesh.triangles[triangle])
             if (v < most)
                 vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end());
+    std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     std::vector<Vec3> result;
     result.reserve(vertices.size());
@@ -146,8 +134,8 @@ PlaneFit fitPlane(const TriangleMesh& mesh, std::span<const std::uint32_t> trian
     Vec3 center = Vec3::Zero();
     double area = 0;
     for (const std::uint32_t triangle : triangles) {
-        const auto corners = cornersOf(mesh, triangle, places);
-        const Vec3 normal = normalOf(corners);
+        const auto corners = cornersOf(places, mesh.triangles[triangle]);
+        const Vec3 normal = crossOf(corners);
         sum += normal;
         center += normal.norm() * (corners[0] + corners[1] + corners[2]) / 3;
         area += normal.norm();
@@ -166,7 +154,7 @@ std::optional<RoundFit> fitRound(const TriangleMesh& mesh, std::span<const std::
 {
     Mat3 spread = Mat3::Zero(); // of the normals
     for (const std::uint32_t triangle : triangles) {
-        const Vec3 normal = normalOf(cornersOf(mesh, triangle, places));
+        const Vec3 normal = crossOf(places, mesh.triangles[triangle]);
         if (!normal.isZero())
             spread += normal * normal.transpose() / normal.norm();
     }

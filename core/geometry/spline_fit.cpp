@@ -44,7 +44,7 @@ std::size_t strideFor(std::size_t count)
 
 bool anyOf(const std::vector<bool>& marks)
 {
-    return std::find(marks.begin(), marks.end(), true) != marks.end();
+    return std::ranges::find(marks, true) != marks.end();
 }
 
 class CurveFitter {
@@ -271,7 +271,7 @@ private:
             if (known[i])
                 places[i] = found[next++];
         joinEnds(places, known);
-        if (std::find(known.begin(), known.end(), false) == known.end())
+        if (std::ranges::find(known, false) == known.end())
             return places;
         std::vector<Vec3> rest(grid.size());
         m_wanted.rest(grid, rest);

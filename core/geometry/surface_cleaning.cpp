@@ -36,7 +36,7 @@ TriangleMesh withoutDoubles(const TriangleMesh& mesh)
     keys.reserve(order.size());
     for (const Triangle& triangle : mesh.triangles)
         keys.push_back(sorted(triangle));
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
         return std::pair(keys[a].corners, a) < std::pair(keys[b].corners, b);
     });
     std::vector<std::uint8_t> isKept(order.size(), 0);
@@ -80,7 +80,7 @@ std::vector<std::uint32_t> oppositeSides(const TriangleMesh& mesh, std::uint32_t
             const auto [low, high] = std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
             sides.push_back({low, high, 3 * t + i});
         }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::ranges::sort(sides, [](const Side& a, const Side& b) {
         return std::tuple(a.low, a.high, a.side) < std::tuple(b.low, b.high, b.side);
     });
     std::vector<std::uint32_t> opposite(sides.size(), none);
@@ -100,12 +100,6 @@ std::vector<std::uint32_t> oppositeSides(const TriangleMesh& mesh, std::uint32_t
     return opposite;
 }
 
-double areaOf(const TriangleMesh& mesh, const Triangle& t)
-{
-    const Vec3& a = mesh.vertices[t[0]];
-    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-}
-
 /// @returns how many were turned
 std::size_t turnOneWay(TriangleMesh& mesh)
 {
@@ -123,7 +117,7 @@ std::size_t turnOneWay(TriangleMesh& mesh)
         double balance = 0; // area that stays by area that is to be turned
         for (std::size_t i = 0; i < stretch.size(); ++i) {
             const std::uint32_t t = stretch[i];
-            balance += (ways[t] == Way::same ? 1 : -1) * areaOf(mesh, mesh.triangles[t]);
+            balance += (ways[t] == Way::same ? 1 : -1) * 0.5 * crossOf(mesh.vertices, mesh.triangles[t]).norm();
             for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
                 const std::uint32_t other = opposite[side];
                 if (other == none || ways[other / 3] != Way::unknown)

@@ -72,21 +72,9 @@ Nearest nearestOnTriangle(const Corners& t, const Vec3& p)
     return best;
 }
 
-Corners cornersOf(const TriangleMesh& mesh, std::size_t triangle)
-{
-    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
-    return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-}
-
-/// Along the normal; of any length.
-Vec3 crossOf(const Corners& t)
-{
-    return (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
 Vec3 unitNormal(const TriangleMesh& mesh, std::size_t triangle)
 {
-    return crossOf(cornersOf(mesh, triangle)).stableNormalized();
+    return crossOf(mesh.vertices, mesh.triangles[triangle]).stableNormalized();
 }
 
 } // namespace
@@ -113,7 +101,7 @@ SurfaceDistance::Search::Search(const TriangleMesh& surface, HalfEdges edges)
 {
     forEachBlock(corners.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            corners[i] = cornersOf(mesh, tree.order()[i]);
+            corners[i] = cornersOf(mesh.vertices, mesh.triangles[tree.order()[i]]);
     });
 }
 
@@ -132,7 +120,7 @@ std::optional<SurfaceDistance::Hit> SurfaceDistance::Search::nearest(const Vec3&
             triangle = which;
         }
     };
-    examine(guess, cornersOf(mesh, guess));
+    examine(guess, cornersOf(mesh.vertices, mesh.triangles[guess]));
     tree.forEachNear(point, best.squaredDistance, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             examine(tree.order()[i], corners[i]);
@@ -152,7 +140,7 @@ Vec3 SurfaceDistance::Search::pseudoNormal(std::uint32_t triangle, const Nearest
     if (nearest.feature == Feature::Corner)
         return angleWeightedNormal(mesh.triangles[triangle][nearest.which]);
     if (nearest.feature == Feature::Face)
-        return crossOf(cornersOf(mesh, triangle));
+        return crossOf(mesh.vertices, mesh.triangles[triangle]);
     const Vec3 normal = unitNormal(mesh, triangle);
     const std::uint32_t other = halfEdges.twin[3 * triangle + nearest.which];
     return other == HalfEdges::none ? normal : Vec3(normal + unitNormal(mesh, other / 3));
@@ -163,7 +151,7 @@ Vec3 SurfaceDistance::Search::angleWeightedNormal(std::uint32_t vertex) const
 {
     Vec3 sum = Vec3::Zero();
     for (const std::uint32_t halfEdge : halfEdges.leaving(vertex)) {
-        const Corners t = cornersOf(mesh, halfEdge / 3);
+        const Corners t = cornersOf(mesh.vertices, mesh.triangles[halfEdge / 3]);
         const std::uint32_t i = halfEdge % 3;
         const Vec3 to = t[(i + 1) % 3] - t[i];
         const Vec3 from = t[(i + 2) % 3] - t[i];

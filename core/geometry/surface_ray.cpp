@@ -1,7 +1,5 @@
 #include "core/geometry/surface_ray.h"
 
-#include "core/geometry/mass_properties.h"
-
 #include <cmath>
 
 namespace knead {
@@ -11,9 +9,7 @@ SurfaceRay::SurfaceRay(const TriangleMesh& mesh, double orientation)
     , m_tree(mesh)
     , m_orientation(orientation)
 {
-    Box box;
-    for (const Vec3& vertex : mesh.vertices)
-        box.extend(vertex);
+    const Box box = boxOfPlaces(mesh.vertices);
     m_size = box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
@@ -30,10 +26,9 @@ std::optional<SurfaceRay::Exit> SurfaceRay::firstExit(const Vec3& start, const V
             const std::uint32_t triangle = m_tree.order()[i];
             if (triangle == from)
                 continue;
-            const TriangleMesh::Triangle& corners = m_mesh.triangles[triangle];
-            const Vec3& a = m_mesh.vertices[corners[0]];
-            const Vec3 ab = m_mesh.vertices[corners[1]] - a;
-            const Vec3 ac = m_mesh.vertices[corners[2]] - a;
+            const auto [a, b, c] = cornersOf(m_mesh.vertices, m_mesh.triangles[triangle]);
+            const Vec3 ab = b - a;
+            const Vec3 ac = c - a;
             const Vec3 normal = ab.cross(ac);
             const double slope = direction.dot(normal);
             if (m_orientation * slope <= 0)

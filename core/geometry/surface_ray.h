@@ -4,7 +4,6 @@
 #include "core/geometry/triangle_tree.h"
 
 #include <optional>
-#include <vector>
 
 namespace knead {
 

@@ -12,12 +12,6 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-Corners cornersOf(const SurfaceTriangle& t)
-{
-    const TriangleMesh::Triangle& corners = t.mesh.triangles[t.triangle];
-    return {t.mesh.vertices[corners[0]], t.mesh.vertices[corners[1]], t.mesh.vertices[corners[2]]};
-}
-
 /// The corner of the neighbor beyond the edge from corner `edge` to the next.
 std::optional<Vec3> cornerBeyond(const SurfaceTriangle& t, std::size_t edge)
 {
@@ -44,7 +38,7 @@ struct Plane {
 /// Nothing when the triangle is too thin to have one.
 std::optional<Plane> planeOf(const Corners& t, double tolerance)
 {
-    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const Vec3 normal = crossOf(t);
     const double area = normal.norm();
     const double longestEdge = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     if (area <= tolerance * longestEdge)
@@ -71,7 +65,7 @@ std::optional<std::array<Vec3, 2>> lineThrough(const SurfaceTriangle& t, const C
     for (std::size_t i = 0; i < 3; ++i)
         if (endsInPlane(t, distances, i, plane))
             return std::array{corners[i], corners[(i + 1) % 3]};
-    const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+    const auto [least, most] = std::ranges::minmax_element(distances);
     if (*least >= 0 || *most <= 0)
         return std::nullopt;
     std::array<Vec3, 2> line;
@@ -90,8 +84,8 @@ std::optional<std::array<Vec3, 2>> lineThrough(const SurfaceTriangle& t, const C
 
 std::optional<CrossingLine> crossingOf(const SurfaceTriangle& a, const SurfaceTriangle& b, double tolerance)
 {
-    const Corners cornersOfA = cornersOf(a);
-    const Corners cornersOfB = cornersOf(b);
+    const Corners cornersOfA = cornersOf(a.mesh.vertices, a.mesh.triangles[a.triangle]);
+    const Corners cornersOfB = cornersOf(b.mesh.vertices, b.mesh.triangles[b.triangle]);
     const std::optional<Plane> planeOfB = planeOf(cornersOfB, tolerance);
     const auto inA = planeOfB ? lineThrough(a, cornersOfA, *planeOfB) : std::nullopt;
     if (!inA)

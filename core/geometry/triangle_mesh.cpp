@@ -1,41 +1,15 @@
 #include "core/geometry/triangle_mesh.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace knead {
 
 namespace {
-
-/// Disjoint sets of vertices; the lowest of a set stands for it.
-class VertexSets {
-public:
-    explicit VertexSets(std::size_t count)
-        : m_parent(count)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-    }
-
-    std::uint32_t find(std::uint32_t v)
-    {
-        while (m_parent[v] != v)
-            v = m_parent[v] = m_parent[m_parent[v]];
-        return v;
-    }
-
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
 
 /// A hash grid of vertices. Cells are several tolerances wide, so that most look-ups touch one cell only.
 /// Chains may hold vertices of other cells with the same hash: the distance decides anyway.
@@ -46,9 +20,7 @@ public:
         , m_head(std::bit_ceil(2 * vertices.size() + 1), none)
         , m_next(vertices.size(), none)
     {
-        Box box;
-        for (const Vec3& vertex : vertices)
-            box.extend(vertex);
+        const Box box = boxOfPlaces(vertices);
         m_origin = box.min();
         m_cell = std::max({8 * tolerance, 1e-9 * box.diagonal().norm(), 1e-300});
     }
@@ -102,14 +74,15 @@ private:
     double m_cell = 1;
 };
 
-VertexSets joinCloseVertices(const std::vector<Vec3>& vertices, double tolerance)
+/// The lowest vertex of a set stands for it.
+DisjointSets joinCloseVertices(const std::vector<Vec3>& vertices, double tolerance)
 {
-    VertexSets sets(vertices.size());
+    DisjointSets sets(vertices.size());
     VertexGrid grid(vertices, tolerance);
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
         bool isCopy = false; // a vertex at the very place of an earlier one finds nothing that one did not
         grid.forEachWithin(vertices[v], tolerance, [&](std::uint32_t other) {
-            sets.join(v, other);
+            sets.joinToLowest(v, other);
             isCopy = isCopy || vertices[other] == vertices[v];
         });
         if (!isCopy)
@@ -122,11 +95,11 @@ VertexSets joinCloseVertices(const std::vector<Vec3>& vertices, double tolerance
 
 TriangleMesh weld(const TriangleMesh& mesh, double tolerance)
 {
-    VertexSets sets = joinCloseVertices(mesh.vertices, tolerance);
+    DisjointSets sets = joinCloseVertices(mesh.vertices, tolerance);
     TriangleMesh result;
     std::vector<std::uint32_t> place(mesh.vertices.size());
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        const std::uint32_t first = sets.find(v);
+        const std::size_t first = sets.find(v);
         if (first == v) {
             place[v] = static_cast<std::uint32_t>(result.vertices.size());
             result.vertices.push_back(mesh.vertices[v]);

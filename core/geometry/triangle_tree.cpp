@@ -97,9 +97,7 @@ void split(std::span<Center> centers, std::size_t lower)
 TriangleTree::TriangleTree(const TriangleMesh& mesh)
     : m_order(mesh.triangles.size())
 {
-    Box box;
-    for (const Vec3& vertex : mesh.vertices)
-        box.extend(vertex);
+    const Box box = boxOfPlaces(mesh.vertices);
     m_center = box.center();
     const double size = 0.5 * box.sizes().maxCoeff();
     m_scale = size > 0 ? 1 / size : 1;

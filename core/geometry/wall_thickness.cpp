@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace knead {
 
@@ -34,7 +33,7 @@ public:
     {
         double sum = 0;
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-            m_areaUpTo[t] = sum += 0.5 * cross(t).norm();
+            m_areaUpTo[t] = sum += 0.5 * crossOf(mesh.vertices, mesh.triangles[t]).norm();
     }
 
     Sample operator[](std::size_t i) const
@@ -42,27 +41,19 @@ public:
         const double area = (static_cast<double>(i) + 0.5) / sampleCount * m_areaUpTo.back();
         const auto found = std::upper_bound(m_areaUpTo.begin(), m_areaUpTo.end() - 1, area);
         const auto triangle = static_cast<std::uint32_t>(found - m_areaUpTo.begin());
-        const TriangleMesh::Triangle& t = m_mesh.triangles[triangle];
-        const Vec3& a = m_mesh.vertices[t[0]];
         double b = fraction(0.7548776662466927 * static_cast<double>(i));
         double c = fraction(0.5698402909980532 * static_cast<double>(i));
         if (b + c > 1) {
             b = 1 - b;
             c = 1 - c;
         }
-        return {a + b * (m_mesh.vertices[t[1]] - a) + c * (m_mesh.vertices[t[2]] - a),
-                -m_orientation * cross(triangle).stableNormalized(), triangle};
+        const std::array<Vec3, 3> corners = cornersOf(m_mesh.vertices, m_mesh.triangles[triangle]);
+        return {corners[0] + b * (corners[1] - corners[0]) + c * (corners[2] - corners[0]),
+                -m_orientation * crossOf(corners).stableNormalized(), triangle};
     }
 
 private:
     static double fraction(double value) { return value - std::floor(value); }
-
-    Vec3 cross(std::size_t triangle) const
-    {
-        const TriangleMesh::Triangle& t = m_mesh.triangles[triangle];
-        const Vec3& a = m_mesh.vertices[t[0]];
-        return (m_mesh.vertices[t[1]] - a).cross(m_mesh.vertices[t[2]] - a);
-    }
 
     const TriangleMesh& m_mesh;
     double m_orientation;
@@ -93,7 +84,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, TaskControl& control)
         for (std::size_t i = begin; i < end; ++i)
             thickness[i] = thicknessAt(surface, samples[i]);
     });
-    std::sort(thickness.begin(), thickness.end());
+    std::ranges::sort(thickness);
     const auto walls =
         static_cast<std::size_t>(std::lower_bound(thickness.begin(), thickness.end(), noWall) - thickness.begin());
     const double wallShare = static_cast<double>(walls) / sampleCount;

@@ -33,10 +33,8 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh)
 {
     const TriangleTree tree(mesh);
     forEachBlock(m_corners.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const TriangleMesh::Triangle& t = mesh.triangles[tree.order()[i]];
-            m_corners[i] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-        }
+        for (std::size_t i = begin; i < end; ++i)
+            m_corners[i] = cornersOf(mesh.vertices, mesh.triangles[tree.order()[i]]);
     });
     while (trianglesPerLeaf << 2 * m_depth < m_corners.size())
         ++m_depth;
@@ -55,7 +53,7 @@ WindingNumber::Node WindingNumber::nodeOf(std::size_t begin, std::size_t end) co
     Box box;
     for (std::size_t i = begin; i < end; ++i) {
         const auto& [a, b, c] = m_corners[i];
-        const Vec3 area = 0.5 * (b - a).cross(c - a);
+        const Vec3 area = 0.5 * crossOf(m_corners[i]);
         node.area += area;
         node.center += area.norm() * (a + b + c) / 3;
         areas += area.norm();

@@ -1,7 +1,7 @@
 #include "core/integration/conjugate_gradients.h"
 
 #include "core/mechanics/tangent_kernels.h"
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <array>
 #include <numeric>
@@ -17,14 +17,12 @@ constexpr std::size_t slotsAtATime = 2048;
 
 double dotProduct(const VectorArray& a, const VectorArray& b)
 {
-    std::vector<double> sums((a.size() + blockSize - 1) / blockSize);
-    forEachBlock(a.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    return sumOverBlocks(a.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         std::array<double, kernels::sumLanes> lanes{};
         for (std::size_t c = 0; c < 3; ++c)
             kernels::bestTangents().dot(end - begin, a.component(c) + begin, b.component(c) + begin, lanes.data());
-        sums[begin / blockSize] = std::accumulate(lanes.begin(), lanes.end(), 0.0);
+        return std::accumulate(lanes.begin(), lanes.end(), 0.0);
     });
-    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner,

@@ -1,11 +1,10 @@
 #include "core/integration/forward_euler.h"
 
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace knead {
 
@@ -13,9 +12,8 @@ StepReport forwardEuler(ObjectState& state, const Vec3& gravity, double dt)
 {
     constexpr std::size_t blockSize = 4096;
     const LaneVector<double>& weighed = state.weighedMass();
-    std::vector<StepReport> reports((state.size() + blockSize - 1) / blockSize);
-    forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        StepReport& report = reports[begin / blockSize];
+    const auto reports = ofEachBlock<StepReport>(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        StepReport report;
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3 before = state.velocity.at(i);
             const Vec3 braking = state.damping.at(i);
@@ -29,6 +27,7 @@ StepReport forwardEuler(ObjectState& state, const Vec3& gravity, double dt)
             if (!(speed <= report.largestSpeed))
                 report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
         }
+        return report;
     });
     StepReport total;
     for (const StepReport& report : reports) {

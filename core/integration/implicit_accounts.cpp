@@ -183,7 +183,7 @@ void ImplicitEuler::keepMomenta(const Vec3& gravity, double h)
         for (std::size_t i = 0; i < state.size(); ++i)
             if (state.inverseMass[i] == 0)
                 touches[b][piecesOf(b).ofObject[i]] = 1;
-        if (std::find(touches[b].begin(), touches[b].end(), 0) != touches[b].end())
+        if (std::ranges::find(touches[b], 0) != touches[b].end())
             keepMomenta(b, touches[b], gravity, h);
     }
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace knead {
 
@@ -64,7 +63,7 @@ void ImplicitEuler::guess(std::size_t body, double h)
         mass[piece] += state.mass[i];
         isHeld[piece] |= state.inverseMass[i] == 0 ? 1 : 0;
     }
-    if (std::all_of(isHeld.begin(), isHeld.end(), [](std::uint8_t held) { return held != 0; }))
+    if (std::ranges::all_of(isHeld, [](std::uint8_t held) { return held != 0; }))
         return;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (const std::uint32_t piece = pieces.ofObject[i]; isHeld[piece] == 0)

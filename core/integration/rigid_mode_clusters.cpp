@@ -56,6 +56,13 @@ struct Reach {
     Vec6 mode;
 };
 
+/// What reaches say of a cluster, at first nothing.
+Vec6& modeIn(std::vector<Reach>& reaches, std::uint32_t cluster)
+{
+    const auto known = std::ranges::find(reaches, cluster, &Reach::cluster);
+    return known != reaches.end() ? known->mode : reaches.emplace_back(Reach{cluster, Vec6::Zero()}).mode;
+}
+
 /// Adds weight mode mode^T; reaches of no cluster, which is held, do nothing.
 template <typename Reaches>
 void addDyad(RigidModeLevels& levels, const Reaches& reaches, double weight)
@@ -254,11 +261,7 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
                 const std::size_t row = body.first + slope.object;
                 if (m_clusterOf[row] == none)
                     continue;
-                auto reach = std::find_if(reaches.begin(), reaches.end(),
-                                          [&](const Reach& r) { return r.cluster == m_clusterOf[row]; });
-                if (reach == reaches.end())
-                    reach = reaches.insert(reaches.end(), {m_clusterOf[row], Vec6::Zero()});
-                reach->mode += restrictedTo(slope.gradient, m_arm.at(row));
+                modeIn(reaches, m_clusterOf[row]) += restrictedTo(slope.gradient, m_arm.at(row));
             }
             addDyad(*m_levels, reaches, 1);
         }
@@ -272,11 +275,7 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
                 const std::uint32_t cluster = m_clusterOf[row];
                 if (cluster == none)
                     return;
-                auto reach =
-                    std::find_if(reaches.begin(), reaches.end(), [&](const Reach& r) { return r.cluster == cluster; });
-                if (reach == reaches.end())
-                    reach = reaches.insert(reaches.end(), {cluster, Vec6::Zero()});
-                reach->mode += restrictedTo(push, arm);
+                modeIn(reaches, cluster) += restrictedTo(push, arm);
             };
             const auto addEnd = [&](const LinkEnd& end, double sign) {
                 if (end.row == LinkEnd::immovable)

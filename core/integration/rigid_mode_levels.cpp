@@ -4,7 +4,6 @@
 #include "core/integration/solver_settings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -22,13 +21,6 @@ void addShift(Eigen::Ref<Mat6> block, double shift)
     const double scale = block.diagonal().maxCoeff();
     for (int i = 0; i < 6; ++i)
         block(i, i) = block(i, i) > shift * scale ? block(i, i) * (1 + shift) : std::max(scale, 1e-300);
-}
-
-Mat3 crossMatrix(const Vec3& v)
-{
-    Mat3 cross;
-    cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return cross;
 }
 
 std::int32_t half(std::int32_t block)
@@ -51,7 +43,7 @@ RigidModeLevels::Mat6& RigidModeLevels::Blocks::at(std::uint32_t row, std::uint3
 void RigidModeLevels::Blocks::sort()
 {
     for (std::vector<Entry>& entries : m_rows)
-        std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+        std::ranges::sort(entries, {}, &Entry::column);
 }
 
 template <typename Visit>

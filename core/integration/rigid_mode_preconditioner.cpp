@@ -2,13 +2,12 @@
 
 #include "core/integration/solver_settings.h"
 #include "core/mechanics/tangent_kernels.h"
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace knead {
 
@@ -101,11 +100,10 @@ void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
                 continue;
             }
             add(end.row, link.matrix);
-            Mat3 cross;
-            cross << 0, -end.arm.z(), end.arm.y(), end.arm.z(), 0, -end.arm.x(), -end.arm.y(), end.arm.x(), 0;
+            const Mat3 cross = crossMatrix(end.arm);
             add(end.row + 1, cross * link.matrix * cross.transpose());
         }
-    std::sort(m_linkedRows.begin(), m_linkedRows.end());
+    std::ranges::sort(m_linkedRows);
     m_linkedRows.erase(std::unique(m_linkedRows.begin(), m_linkedRows.end()), m_linkedRows.end());
     refresh();
 }
@@ -161,11 +159,10 @@ double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
         z.add(body.slot, motionOf(body.cluster, 0));
         z.add(body.slot + 1, motionOf(body.cluster, 3));
     }
-    std::vector<double> sums((r.size() + slotsAtATime - 1) / slotsAtATime);
-    forEachBlock(r.size(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
+    return sumOverBlocks(r.size(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
         kernel.prolongFours((end - begin) / lanes, &m_motionOf[begin / lanes], m_motion.data(),
                             m_slotArm.data() + begin, z.data() + begin, stride);
-        auto odd = std::partition_point(m_odd.begin(), m_odd.end(), [&](const OddSlot& o) { return o.slot < begin; });
+        auto odd = std::ranges::partition_point(m_odd, [&](const OddSlot& o) { return o.slot < begin; });
         for (; odd != m_odd.end() && odd->slot < end; ++odd) {
             const Vec3 turn = motionOf(odd->cluster, 3);
             z.add(odd->slot, motionOf(odd->cluster, 0) + turn.cross(m_slotArm.at(odd->slot)));
@@ -173,9 +170,8 @@ double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
         double sum = 0;
         for (std::size_t c = 0; c < 3; ++c)
             sum += kernel.floatDot(end - begin, r.component(c) + begin, z.component(c) + begin);
-        sums[begin / slotsAtATime] = sum;
+        return sum;
     });
-    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double RigidModePreconditioner::apply(const FloatArray& r, FloatArray& z)

@@ -31,7 +31,7 @@ std::vector<Motion> motionsOf(const ObjectState& state, const Pieces& pieces)
         motion.held += 1;
     }
     const auto isFree = [](const Motion& motion) { return motion.held == 0; };
-    const bool anyIsFree = std::any_of(motions.begin(), motions.end(), isFree);
+    const bool anyIsFree = std::ranges::any_of(motions, isFree);
     const std::vector<PieceMomenta> momenta =
         anyIsFree ? momentaOf(state, state.position, state.velocity, pieces) : std::vector<PieceMomenta>();
     for (std::size_t p = 0; p < motions.size(); ++p)

@@ -178,7 +178,7 @@ bool StaticEquilibrium::isFree(const std::vector<ContactTangent>& tangents) cons
             if (const LinkEnd end = endOf(*tangent.second); end.row != LinkEnd::immovable)
                 holds[pieces.find(end.row)].touches = true;
     }
-    return std::any_of(holds.begin(), holds.end(), [](const Hold& hold) {
+    return std::ranges::any_of(holds, [](const Hold& hold) {
         if (hold.objects == 0 || hold.touches)
             return false;
         if (hold.count < 3)

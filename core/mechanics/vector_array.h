@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace knead {
@@ -51,6 +52,12 @@ class VectorArrayOf {
 public:
     VectorArrayOf() = default;
     explicit VectorArrayOf(std::size_t size) { resize(size); }
+    explicit VectorArrayOf(std::span<const Vec3> vectors)
+        : VectorArrayOf(vectors.size())
+    {
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+            set(i, vectors[i]);
+    }
 
     /// All vectors are zero afterwards.
     void resize(std::size_t size)

@@ -19,7 +19,7 @@ inline constexpr std::array exportUnits{"mm", "cm", "m", "inch", "ft"};
 
 inline bool canBeWrittenIn(const std::string& unit)
 {
-    return std::find(exportUnits.begin(), exportUnits.end(), unit) != exportUnits.end();
+    return std::ranges::find(exportUnits, unit) != exportUnits.end();
 }
 
 } // namespace knead

@@ -97,7 +97,7 @@ bool PartExportReport::isFit() const
 
 bool ExportReport::isSound() const
 {
-    return std::all_of(parts.begin(), parts.end(), [](const PartExportReport& part) { return part.isSound(); });
+    return std::ranges::all_of(parts, [](const PartExportReport& part) { return part.isSound(); });
 }
 
 std::vector<std::string> linesOf(const ExportReport& report)

@@ -10,7 +10,7 @@ namespace {
 
 bool isAmong(const std::vector<std::string>& endings, const std::string& path)
 {
-    return std::find(endings.begin(), endings.end(), lowerCaseEnding(path)) != endings.end();
+    return std::ranges::find(endings, lowerCaseEnding(path)) != endings.end();
 }
 
 /// "a, b and c".
@@ -60,14 +60,13 @@ std::vector<std::string> FileFormat::endingsRead() const
 
 const FileFormat& formatOf(FormatKind kind)
 {
-    return *std::find_if(fileFormats.begin(), fileFormats.end(),
-                         [&](const FileFormat& format) { return format.kind == kind; });
+    return *std::ranges::find(fileFormats, kind, &FileFormat::kind);
 }
 
 const FileFormat* formatToWrite(const std::string& path)
 {
-    const auto found = std::find_if(fileFormats.begin(), fileFormats.end(),
-                                    [&](const FileFormat& format) { return isAmong(format.endings, path); });
+    const auto found =
+        std::ranges::find_if(fileFormats, [&](const FileFormat& format) { return isAmong(format.endings, path); });
     return found != fileFormats.end() ? &*found : nullptr;
 }
 

@@ -1,7 +1,5 @@
 #include "core/model/file_names.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace knead {

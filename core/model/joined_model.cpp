@@ -30,7 +30,7 @@ void shift(PartNode& node, std::size_t by)
 std::string common(const std::vector<Model>& models, std::string Model::*text)
 {
     const auto agrees = [&](const Model& model) { return model.*text == models.front().*text; };
-    return std::all_of(models.begin(), models.end(), agrees) ? models.front().*text : std::string();
+    return std::ranges::all_of(models, agrees) ? models.front().*text : std::string();
 }
 
 } // namespace

@@ -89,14 +89,12 @@ std::span<const LengthUnit> lengthUnits()
 const LengthUnit* findLengthUnit(std::string_view text)
 {
     std::string name = lowerCase(text);
-    const auto spelling =
-        std::find_if(spellings.begin(), spellings.end(), [&](const Spelling& known) { return known.text == name; });
+    const auto spelling = std::ranges::find(spellings, name, &Spelling::text);
     if (spelling != spellings.end())
         name = spelling->name;
     const std::string plural = britishPlural(name);
-    const auto unit = std::find_if(units().begin(), units().end(), [&](const LengthUnit& one) {
-        return one.name == name || one.plural.text() == plural;
-    });
+    const auto unit = std::ranges::find_if(
+        units(), [&](const LengthUnit& one) { return one.name == name || one.plural.text() == plural; });
     return unit == units().end() ? nullptr : &*unit;
 }
 

@@ -61,7 +61,7 @@ PartNode treeOfPaths(const std::vector<const Part*>& parts)
             const auto isSame = [&](const PartNode& child) {
                 return child.part && parts[*child.part]->bodyOf == part.bodyOf;
             };
-            if (std::any_of(node->children.begin(), node->children.end(), isSame))
+            if (std::ranges::any_of(node->children, isSame))
                 node = &above->children.emplace_back(PartNode{node->name, std::nullopt, {}});
             node->holdsBodies = true;
         }

@@ -109,7 +109,7 @@ std::string bytesOf(std::u16string_view text)
 /// UTF-8 with letters beyond ASCII that a reader took for one letter a byte: "BÃ¼gel". Nobody means such a name.
 bool isForeignUtf8(std::string_view bytes)
 {
-    return isUtf8(bytes) && std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) { return byte >= 0x80; });
+    return isUtf8(bytes) && std::ranges::any_of(bytes, [](unsigned char byte) { return byte >= 0x80; });
 }
 
 /// In lower case, with one space for spaces and what stands for them.
@@ -137,14 +137,13 @@ bool isShapeNumbered(std::string_view name)
     std::string_view word = name;
     while (!word.empty() && (std::isdigit(static_cast<unsigned char>(word.back())) != 0 || word.back() == ' '))
         word.remove_suffix(1);
-    const bool isShouted = std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::islower(c) != 0; });
-    return (isShouted || word.size() < name.size()) &&
-           std::find(shapes.begin(), shapes.end(), wordsOf(word)) != shapes.end();
+    const bool isShouted = std::ranges::none_of(name, [](unsigned char c) { return std::islower(c) != 0; });
+    return (isShouted || word.size() < name.size()) && std::ranges::find(shapes, wordsOf(word)) != shapes.end();
 }
 
 bool isDigits(std::string_view text)
 {
-    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    return std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 /// "3f2504e0-4f89-11d3-9a0c-0305e82c3301"
@@ -154,7 +153,7 @@ bool isUuid(std::string_view name)
     if (name.size() != 36)
         return false;
     for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool isDash = std::find(dashes.begin(), dashes.end(), i) != dashes.end();
+        const bool isDash = std::ranges::find(dashes, i) != dashes.end();
         if (isDash ? name[i] != '-' : std::isxdigit(static_cast<unsigned char>(name[i])) == 0)
             return false;
     }
@@ -203,7 +202,7 @@ bool isGeneratedName(std::string_view name)
     if (name.starts_with("=>[") || name.starts_with("NAUO") || name.starts_with("Open CASCADE "))
         return true;
     return isDigits(name) || isUuid(name) || isShapeNumbered(name) ||
-           std::find(stock.begin(), stock.end(), wordsOf(name)) != stock.end();
+           std::ranges::find(stock, wordsOf(name)) != stock.end();
 }
 
 std::string bestPartName(const std::string& instance, const std::string& product, const std::string& fallback)

@@ -60,13 +60,7 @@ Balance balanceOf(const FilledBody& body, const Material& own, const Snapshot::B
 
 std::vector<Vec3> restPositions(const FilledBody& body)
 {
-    if (!body.aggregate)
-        return {}; // of a file that was not filled
-    std::vector<Vec3> positions;
-    positions.reserve(body.aggregate->size());
-    for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
-        positions.push_back(body.aggregate->lattice.position(i));
-    return positions;
+    return body.aggregate ? body.aggregate->lattice.positions() : std::vector<Vec3>(); // none of a file not filled
 }
 
 } // namespace

@@ -28,7 +28,7 @@ BodyStress bodyStress(const TriangleMesh& surface, const Snapshot& snapshot, Bod
     const ObjectStrains objects(*state.aggregate, displacements, *state.relaxed, state.broken ? *state.broken : none);
     const SkinStresses stresses =
         SkinStress(*state.aggregate, mesh).stresses(objects, loadedObjects(snapshot, body), true);
-    const auto most = std::max_element(stresses.vonMises.begin(), stresses.vonMises.end());
+    const auto most = std::ranges::max_element(stresses.vonMises);
     if (most == stresses.vonMises.end())
         return result;
     result.largest = static_cast<double>(*most);

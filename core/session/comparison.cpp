@@ -20,7 +20,7 @@ std::vector<double> areasOf(const TriangleMesh& mesh, std::span<const Vec3> plac
 {
     std::vector<double> areas(places.size(), 0);
     for (const auto& t : mesh.triangles) {
-        const double area = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]).norm() / 2;
+        const double area = crossOf(places, t).norm() / 2;
         for (const std::uint32_t v : t)
             areas[v] += area / 3;
     }
@@ -143,9 +143,8 @@ Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, c
                                TaskControl& control)
 {
     Comparison comparison{.time = shown.snapshot->time};
-    const auto count = static_cast<double>(content.bodies.size());
     for (BodyId b = 0; b < content.bodies.size(); ++b) {
-        TaskPortion portion(control, b / count, (b + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, b, content.bodies.size());
         BodyComparison body = compare(*content.bodies[b], shown.bodies[b]->places, portion);
         body.rest = massAtRest(content, b, present);
         body.now = massNow(content, b, shown, present);
@@ -161,8 +160,7 @@ Comparison compareModels(const Model& original, const Model& changed, TaskContro
     Comparison comparison;
     const std::vector<Pair> pairs = pairsOf(original, changed, originals, others);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto count = static_cast<double>(pairs.size());
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, i, pairs.size());
         comparison.bodies.push_back(
             comparePair(original.parts[pairs[i].original], changed.parts[pairs[i].changed], portion));
     }

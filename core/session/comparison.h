@@ -3,7 +3,6 @@
 #include "core/session/body_mass.h"
 #include "core/task/task_control.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,9 @@
 #include "core/session/edge_chains.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <unordered_map>
 
@@ -10,12 +11,7 @@ namespace knead {
 
 namespace {
 
-using Key = std::uint64_t; ///< two numbers, lower first
-
-Key keyOf(std::uint32_t a, std::uint32_t b)
-{
-    return (Key{std::min(a, b)} << 32U) | std::max(a, b);
-}
+using Key = std::uint64_t; ///< two numbers, see pairKey()
 
 /// The CAD faces on both sides of the feature edges, by their vertices in the mesh.
 std::unordered_map<Key, Key> sidesOf(const TriangleMesh& mesh, const RenderMesh& render)
@@ -23,10 +19,10 @@ std::unordered_map<Key, Key> sidesOf(const TriangleMesh& mesh, const RenderMesh&
     std::unordered_map<Key, std::pair<std::uint32_t, std::uint32_t>> faces;
     faces.reserve(render.edges.size());
     for (const auto& edge : render.edges)
-        faces[keyOf(render.source[edge[0]], render.source[edge[1]])] = {~0U, 0};
+        faces[pairKey(render.source[edge[0]], render.source[edge[1]])] = {~0U, 0};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto found = faces.find(keyOf(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]));
+            const auto found = faces.find(pairKey(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]));
             if (found == faces.end())
                 continue;
             auto& [lowest, highest] = found->second;
@@ -36,32 +32,9 @@ std::unordered_map<Key, Key> sidesOf(const TriangleMesh& mesh, const RenderMesh&
     std::unordered_map<Key, Key> sides;
     sides.reserve(faces.size());
     for (const auto& [edge, pair] : faces)
-        sides[edge] = keyOf(pair.first, pair.second);
+        sides[edge] = pairKey(pair.first, pair.second);
     return sides;
 }
-
-class Chains {
-public:
-    explicit Chains(std::size_t edges)
-        : m_parent(edges)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t edge)
-    {
-        while (m_parent[edge] != edge)
-            edge = m_parent[edge] = m_parent[m_parent[edge]];
-        return edge;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        const auto [low, high] = std::minmax({find(a), find(b)});
-        m_parent[high] = low;
-    }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
 
 } // namespace
 
@@ -73,12 +46,12 @@ std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& 
     for (std::uint32_t e = 0; e < render.edges.size(); ++e) {
         const std::uint32_t a = render.source[render.edges[e][0]];
         const std::uint32_t b = render.source[render.edges[e][1]];
-        const Key side = sides.at(keyOf(a, b));
+        const Key side = sides.at(pairKey(a, b));
         ends.emplace_back(a, side, e);
         ends.emplace_back(b, side, e);
     }
-    std::sort(ends.begin(), ends.end());
-    Chains chains(render.edges.size());
+    std::ranges::sort(ends);
+    DisjointSets chains(render.edges.size());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const auto& [vertex, side, edge] = ends[i];
         const auto isSame = [&](std::size_t j) {
@@ -89,7 +62,7 @@ std::vector<std::uint32_t> chainsOf(const TriangleMesh& mesh, const RenderMesh& 
             chains.join(edge, std::get<2>(ends[i + 1]));
     }
     std::vector<std::uint32_t> result(render.edges.size());
-    std::map<std::uint32_t, std::uint32_t> numbers;
+    std::map<std::size_t, std::uint32_t> numbers;
     for (std::uint32_t e = 0; e < render.edges.size(); ++e)
         result[e] = numbers.try_emplace(chains.find(e), static_cast<std::uint32_t>(numbers.size())).first->second;
     return result;

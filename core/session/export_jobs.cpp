@@ -1,7 +1,5 @@
 #include "core/session/export_jobs.h"
 
-#include "core/model/length_units.h"
-
 #include <algorithm>
 
 namespace knead {

@@ -10,15 +10,15 @@ namespace {
 
 bool holds(const FaceFixture& fixture, BodyId body, std::uint32_t face)
 {
-    return fixture.body == body && std::count(fixture.faces.begin(), fixture.faces.end(), face) > 0;
+    return fixture.body == body && std::ranges::count(fixture.faces, face) > 0;
 }
 
 /// Of some filling of the body that it is of.
 std::vector<ObjectIndex> objectsOf(const FilledModel& content, const FaceFixture& fixture, const Aggregate& aggregate)
 {
     const Part& part = content.model->parts[content.bodies[fixture.body]->part];
-    const bool areThere = std::all_of(fixture.faces.begin(), fixture.faces.end(),
-                                      [&](std::uint32_t face) { return face < part.faces.size(); });
+    const bool areThere =
+        std::ranges::all_of(fixture.faces, [&](std::uint32_t face) { return face < part.faces.size(); });
     return areThere ? objectsAtFaces(aggregate, part.mesh, fixture.faces) : std::vector<ObjectIndex>();
 }
 
@@ -40,7 +40,7 @@ std::string freeName(const std::vector<FaceFixture>& fixtures, std::uint32_t num
 {
     for (;; ++number) {
         const std::string name = "Fixture " + std::to_string(number);
-        if (std::none_of(fixtures.begin(), fixtures.end(), [&](const FaceFixture& f) { return f.name == name; }))
+        if (std::ranges::none_of(fixtures, [&](const FaceFixture& f) { return f.name == name; }))
             return name;
     }
 }
@@ -49,7 +49,7 @@ std::string freeName(const std::vector<FaceFixture>& fixtures, std::uint32_t num
 
 const FaceFixture* FaceFixtures::find(std::uint32_t key) const
 {
-    const auto found = std::find_if(m_list.begin(), m_list.end(), [key](const FaceFixture& f) { return f.key == key; });
+    const auto found = std::ranges::find(m_list, key, &FaceFixture::key);
     return found == m_list.end() ? nullptr : &*found;
 }
 
@@ -72,8 +72,7 @@ std::vector<Command> FaceFixtures::remove(std::uint32_t key)
 
 std::vector<Command> FaceFixtures::rename(std::uint32_t key, const std::string& name)
 {
-    const auto fixture =
-        std::find_if(m_list.begin(), m_list.end(), [key](const FaceFixture& other) { return other.key == key; });
+    const auto fixture = std::ranges::find(m_list, key, &FaceFixture::key);
     if (fixture == m_list.end())
         return {};
     fixture->name = name;
@@ -85,17 +84,15 @@ std::vector<Command> FaceFixtures::rename(std::uint32_t key, const std::string& 
 FaceFixtures::Edit FaceFixtures::toggle(const FilledModel& content, BodyId body, std::uint32_t face,
                                         std::uint32_t active)
 {
-    const auto holding =
-        std::find_if(m_list.begin(), m_list.end(), [&](const FaceFixture& f) { return holds(f, body, face); });
+    const auto holding = std::ranges::find_if(m_list, [&](const FaceFixture& f) { return holds(f, body, face); });
     if (holding != m_list.end()) {
         if (holding->faces.size() == 1)
             return {0, remove(holding->key)};
         std::erase(holding->faces, face);
         return {0, hold(content, *holding)};
     }
-    const auto chosen = std::find_if(m_list.begin(), m_list.end(), [&](const FaceFixture& f) {
-        return f.key == active && f.body == body && !f.faces.empty();
-    });
+    const auto chosen = std::ranges::find_if(
+        m_list, [&](const FaceFixture& f) { return f.key == active && f.body == body && !f.faces.empty(); });
     if (chosen != m_list.end()) {
         chosen->faces.push_back(face);
         return {active, hold(content, *chosen)};
@@ -145,8 +142,8 @@ void FaceFixtures::keepInMind(const FaceFixture& fixture)
 {
     FaceFixture known = fixture;
     known.id.reset();
-    std::sort(known.faces.begin(), known.faces.end());
-    const bool isNew = std::none_of(m_known.begin(), m_known.end(), [&](const FaceFixture& other) {
+    std::ranges::sort(known.faces);
+    const bool isNew = std::ranges::none_of(m_known, [&](const FaceFixture& other) {
         return other.name == known.name && other.body == known.body && other.faces == known.faces;
     });
     if (isNew)
@@ -192,7 +189,7 @@ bool FaceFixtures::agree(std::span<const FixtureId> ids, FixtureId count) const
     for (const FaceFixture& fixture : m_list)
         if (fixture.id)
             own.push_back(*fixture.id);
-    std::sort(own.begin(), own.end());
+    std::ranges::sort(own);
     return count == m_nextId && std::equal(own.begin(), own.end(), ids.begin(), ids.end());
 }
 

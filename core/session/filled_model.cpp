@@ -53,6 +53,14 @@ std::shared_ptr<const FilledSurface> makeSurface(const Model& model, std::size_t
     return surface;
 }
 
+/// Of parts that nothing is filled of.
+void addSurfaces(const Model& model, const std::vector<std::size_t>& filled, FilledModel& content)
+{
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+        if (!model.parts[p].mesh.empty() && std::ranges::find(filled, p) == filled.end())
+            content.surfaces.push_back(makeSurface(model, p));
+}
+
 /// A part becomes a body; or a surface, when it has no inside or no cell of the lattice fits into it.
 void addPart(const Model& model, std::size_t index, std::set<std::string>& names, FilledModel& content,
              TaskControl& control)
@@ -88,8 +96,7 @@ FilledModel emptyFilledModel(const Model& model, const ImportChoices& request)
         warn(part.warnings);
         if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
-        for (const Vec3& vertex : part.mesh.vertices)
-            content.box.extend(vertex);
+        content.box.extend(boxOfPlaces(part.mesh.vertices));
     }
     if (content.box.isEmpty())
         throw Problem(Message("Filling", "%1: the file holds no solid and no surface; export the part as a solid.")
@@ -118,13 +125,10 @@ FilledModel fillModel(std::shared_ptr<const Model> model, const ImportChoices& r
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double count = static_cast<double>(parts.size());
-        TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(filling, i, parts.size());
         addPart(*model, parts[i], names, content, portion);
     }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() && std::find(parts.begin(), parts.end(), p) == parts.end())
-            content.surfaces.push_back(makeSurface(*model, p));
+    addSurfaces(*model, parts, content);
     content.model = std::move(model);
     return content;
 }
@@ -282,15 +286,11 @@ FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& c
         assess(content, fillingSizes(*model, start.partOfBody, choices.spacing, measuring));
     }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const auto count = static_cast<double>(bodies.size());
         TaskPortion rest(control, measuredShare, 1);
-        TaskPortion portion(rest, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(rest, b, bodies.size());
         content.bodies.push_back(filledBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
     }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() &&
-            std::find(start.partOfBody.begin(), start.partOfBody.end(), p) == start.partOfBody.end())
-            content.surfaces.push_back(makeSurface(*model, p));
+    addSurfaces(*model, start.partOfBody, content);
     content.model = std::move(model);
     return content;
 }

@@ -21,8 +21,8 @@ public:
     std::shared_ptr<const FilledBody> find(const std::shared_ptr<const Aggregate>& aggregate)
     {
         const std::lock_guard lock(m_mutex);
-        const auto found = std::find_if(m_bodies.begin(), m_bodies.end(),
-                                        [&](const auto& body) { return body->aggregate == aggregate; });
+        const auto found =
+            std::ranges::find_if(m_bodies, [&](const auto& body) { return body->aggregate == aggregate; });
         if (found == m_bodies.end())
             return nullptr;
         std::rotate(m_bodies.begin(), found, found + 1);
@@ -53,7 +53,7 @@ public:
     std::optional<Torn> findTorn(Is is)
     {
         const std::lock_guard lock(m_mutex);
-        const auto found = std::find_if(m_torn.begin(), m_torn.end(), is);
+        const auto found = std::ranges::find_if(m_torn, is);
         return found != m_torn.end() ? std::optional(*found) : std::nullopt;
     }
 

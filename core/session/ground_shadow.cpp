@@ -8,29 +8,29 @@ namespace knead {
 
 namespace {
 
-constexpr int side = 80;            // values along each axis
-constexpr int rim = 7;              // of them outside of all that casts
+constexpr int gridSide = 80;        // values along each axis
+constexpr int gridRim = 7;          // of them outside of all that casts
 constexpr double hazeHeight = 0.08; // at which half of the darkness is left, in sizes of what casts
 constexpr int blurs = 3;            // averages over three neighbors along either axis
-constexpr float nothing = std::numeric_limits<float>::max();
+constexpr float noHeight = std::numeric_limits<float>::max();
 
 /// Heights of what is lowest, at each value.
 class Heights {
 public:
     Heights(const Box& box, double ground)
         : m_ground(ground)
-        , m_heights(static_cast<std::size_t>(side) * side, nothing)
+        , m_heights(static_cast<std::size_t>(gridSide) * gridSide, noHeight)
     {
         const Eigen::Vector2d size = box.sizes().head<2>();
-        m_step = std::max(size.maxCoeff() / (side - 1 - 2 * rim), 1e-9);
-        m_low = box.center().head<2>() - Eigen::Vector2d::Constant(0.5 * m_step * (side - 1));
+        m_step = std::max(size.maxCoeff() / (gridSide - 1 - 2 * gridRim), 1e-9);
+        m_low = box.center().head<2>() - Eigen::Vector2d::Constant(0.5 * m_step * (gridSide - 1));
     }
 
     void lower(int x, int y, double height)
     {
-        if (x < 0 || y < 0 || x >= side || y >= side)
+        if (x < 0 || y < 0 || x >= gridSide || y >= gridSide)
             return;
-        float& known = m_heights[static_cast<std::size_t>(y * side + x)];
+        float& known = m_heights[static_cast<std::size_t>(y * gridSide + x)];
         known = std::min(known, static_cast<float>(std::max(0.0, height - m_ground)));
     }
 
@@ -48,8 +48,9 @@ public:
             return;
         const Eigen::Vector2d low = p.cwiseMin(q).cwiseMin(r);
         const Eigen::Vector2d high = p.cwiseMax(q).cwiseMax(r);
-        for (int y = std::max(0, static_cast<int>(std::ceil(low.y()))); y <= std::min(side - 1.0, high.y()); ++y)
-            for (int x = std::max(0, static_cast<int>(std::ceil(low.x()))); x <= std::min(side - 1.0, high.x()); ++x) {
+        for (int y = std::max(0, static_cast<int>(std::ceil(low.y()))); y <= std::min(gridSide - 1.0, high.y()); ++y)
+            for (int x = std::max(0, static_cast<int>(std::ceil(low.x()))); x <= std::min(gridSide - 1.0, high.x());
+                 ++x) {
                 const Eigen::Vector2d d(x - p.x(), y - p.y());
                 const double second = (d.x() * v.y() - d.y() * v.x()) / area;
                 const double third = (u.x() * d.y() - u.y() * d.x()) / area;
@@ -62,8 +63,9 @@ public:
     {
         const Eigen::Vector2d low = at(probe.box.min());
         const Eigen::Vector2d high = at(probe.box.max());
-        for (int y = std::max(0, static_cast<int>(std::floor(low.y()))); y <= std::min(side - 1.0, high.y()); ++y)
-            for (int x = std::max(0, static_cast<int>(std::floor(low.x()))); x <= std::min(side - 1.0, high.x()); ++x) {
+        for (int y = std::max(0, static_cast<int>(std::floor(low.y()))); y <= std::min(gridSide - 1.0, high.y()); ++y)
+            for (int x = std::max(0, static_cast<int>(std::floor(low.x()))); x <= std::min(gridSide - 1.0, high.x());
+                 ++x) {
                 const Vec3 place(m_low.x() + m_step * x, m_low.y() + m_step * y, m_ground);
                 if (const double above = probe.heightAbove(place); above >= 0)
                     lower(x, y, m_ground + above);
@@ -72,14 +74,14 @@ public:
 
     GroundShadow shadow(double haze) const
     {
-        GroundShadow shadow{.low = m_low, .step = m_step, .side = side, .darkness = {}};
+        GroundShadow shadow{.low = m_low, .step = m_step, .side = gridSide, .darkness = {}};
         shadow.darkness.resize(m_heights.size());
         std::ranges::transform(m_heights, shadow.darkness.begin(), [haze](float height) {
             const float share = height / static_cast<float>(haze);
-            return height == nothing ? 0.0F : 1 / (1 + share * share);
+            return height == noHeight ? 0.0F : 1 / (1 + share * share);
         });
         for (int n = 0; n < blurs; ++n)
-            for (const int stride : {1, side})
+            for (const int stride : {1, gridSide})
                 blur(shadow.darkness, stride);
         return shadow;
     }
@@ -90,9 +92,9 @@ private:
     static void blur(std::vector<float>& values, int stride)
     {
         const std::vector<float> before = values;
-        for (int y = 1; y + 1 < side; ++y)
-            for (int x = 1; x + 1 < side; ++x) {
-                const int i = y * side + x;
+        for (int y = 1; y + 1 < gridSide; ++y)
+            for (int x = 1; x + 1 < gridSide; ++x) {
+                const int i = y * gridSide + x;
                 const auto of = [&](int index) { return before[static_cast<std::size_t>(index)]; };
                 values[static_cast<std::size_t>(i)] = 0.25F * (of(i - stride) + 2 * of(i) + of(i + stride));
             }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/document/project.h"
-#include "core/model/import_options.h"
 #include "core/session/filled_model.h"
 #include "core/simulation/scripted_events.h"
 

@@ -71,11 +71,9 @@ Figure distanceToFaceFigure(const Setting& setting)
 {
     const Vec3 place = setting.place(0);
     const TriangleMesh& mesh = setting.body(1).mesh;
-    const std::vector<Vec3>& places = setting.places(1);
     Vec3 nearest = setting.place(1);
     for (const std::uint32_t t : setting.face(1)) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        const std::array<Vec3, 3> corners{places[a], places[b], places[c]};
+        const std::array<Vec3, 3> corners = cornersOf(setting.places(1), mesh.triangles[t]);
         const Vec3 shares = nearestShares(corners, place);
         const Vec3 candidate = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
         if ((candidate - place).squaredNorm() < (nearest - place).squaredNorm())
@@ -169,9 +167,7 @@ Figure radiusOfFaceFigure(const Setting& setting)
 
 Figure boxFigure(const Setting& setting)
 {
-    Box box;
-    for (const Vec3& place : setting.places(0))
-        box.extend(place);
+    const Box box = boxOfPlaces(setting.places(0));
     Figure figure{{box.sizes().x(), box.sizes().y(), box.sizes().z()}, {}, {}};
     const auto corner = [&](int i) { return box.corner(static_cast<Box::CornerType>(i)); };
     for (int i = 0; i < 8; ++i)

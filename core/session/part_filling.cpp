@@ -35,10 +35,9 @@ FillingSizes fillingSizes(const Model& model, std::span<const std::size_t> parts
                           const std::optional<SpacingChoice>& choice, TaskControl& control)
 {
     const bool isByWalls = choice && choice->kind == SpacingChoice::Kind::CellsAcrossWall;
-    const auto count = static_cast<double>(parts.size());
     FillingSizes sizes;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, i, parts.size());
         const Part& part = model.parts[parts[i]];
         const FillingSize size =
             part.canBeFilled() || isByWalls ? sizeWithWalls(part.mesh, portion) : sizeOf(part.mesh);

@@ -19,14 +19,6 @@ std::vector<float> floatsOf(const std::vector<Vec3>& places)
     return floats;
 }
 
-std::vector<Vec3> placesOf(const std::vector<float>& floats)
-{
-    std::vector<Vec3> places(floats.size() / 3);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] = Vec3(floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]);
-    return places;
-}
-
 /// Of a filling that only the film remembers; the first ones are the document's.
 std::size_t memoryOf(const Aggregate& filling)
 {
@@ -65,6 +57,15 @@ PlaybackFramePointer filmFrameOf(const Snapshot& snapshot, const std::vector<std
 }
 
 } // namespace
+
+std::vector<Vec3> PlaybackFrame::places(std::size_t body) const
+{
+    const std::vector<float>& floats = objects[body];
+    std::vector<Vec3> places(floats.size() / 3);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = Vec3(floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]);
+    return places;
+}
 
 std::size_t PlaybackFrame::memory() const
 {
@@ -236,7 +237,7 @@ FramePointer drawable(const PlaybackFrame& frame, const FilledBodies& bodies)
     snapshot->tools = frame.tools;
     snapshot->floorHeight = frame.floorHeight;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]),
+        snapshot->bodies.push_back({.positions = frame.places(b),
                                     .aggregate = frame.fillings[b],
                                     .broken = frame.broken.empty() ? nullptr : frame.broken[b],
                                     .relaxed = frame.relaxed.empty() ? nullptr : frame.relaxed[b]});

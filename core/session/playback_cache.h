@@ -32,7 +32,8 @@ struct PlaybackFrame {
     std::vector<std::shared_ptr<const std::vector<BrokenConnection>>> broken;
     std::vector<std::shared_ptr<const RelaxedState>> relaxed;
 
-    std::size_t memory() const; ///< [bytes]
+    std::vector<Vec3> places(std::size_t body) const; ///< of its objects [m]
+    std::size_t memory() const;                       ///< [bytes]
 };
 using PlaybackFramePointer = std::shared_ptr<const PlaybackFrame>;
 

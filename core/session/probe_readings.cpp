@@ -3,8 +3,6 @@
 #include "core/mechanics/object_strain.h"
 #include "core/session/playback_cache.h"
 
-#include <utility>
-
 namespace knead {
 
 namespace {
@@ -43,9 +41,7 @@ ProbeSample sampleHere(const ProbePlace& probe, const Snapshot& snapshot, bool w
 /// The normal of the triangle that a place is on, when its body was filled.
 FreeSurface freeSurfaceAt(const SkinPlace& place, const FilledBody& body)
 {
-    const auto& [a, b, c] = body.mesh.triangles[place.triangle];
-    const std::span<const Vec3> vertices = body.skin->points();
-    const Vec3 area = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
+    const Vec3 area = crossOf(body.skin->points(), body.mesh.triangles[place.triangle]);
     if (!(area.norm() > 0))
         return {};
     return {FreeSurface::Kind::face, area.normalized()};
@@ -106,10 +102,7 @@ std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const
     for (const ProbePlace& probe : probes) {
         Snapshot::BodyState& state = snapshot.bodies[probe.id];
         state.aggregate = frame.fillings[probe.id];
-        const std::vector<float>& floats = frame.objects[probe.id];
-        state.positions.resize(floats.size() / 3);
-        for (std::size_t i = 0; i < state.positions.size(); ++i)
-            state.positions[i] = Vec3(floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]);
+        state.positions = frame.places(probe.id);
         state.broken = frame.broken.empty() ? nullptr : frame.broken[probe.id];
         state.relaxed = frame.relaxed.empty() ? nullptr : frame.relaxed[probe.id];
     }

@@ -9,10 +9,9 @@ namespace knead {
 ProbeSeries::ProbeSeries(const Recipe& recipe, const RecipeScene& ready, TaskControl& control)
 {
     FilledBodies filled(ready.parts().size());
-    const auto count = static_cast<double>(recipe.probes.size());
     for (std::size_t i = 0; i < recipe.probes.size(); ++i) {
         const RecipeProbe& probe = recipe.probes[i];
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, i, recipe.probes.size());
         const Message who = aboutFile(recipe.file, Message("Recipe", "the probe \"%1\"").with(probe.name));
         FilledBodies named(filled.size());
         for (const BodyId id : bodiesNamed(probe.body, ready.parts(), who)) {

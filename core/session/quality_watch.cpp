@@ -10,7 +10,7 @@ constexpr int framesToStay = 30;
 
 bool has(const std::vector<Remark>& remarks, Concern concern)
 {
-    return std::any_of(remarks.begin(), remarks.end(), [&](const Remark& one) { return one.concern == concern; });
+    return std::ranges::any_of(remarks, [&](const Remark& one) { return one.concern == concern; });
 }
 
 } // namespace

@@ -46,7 +46,7 @@ std::size_t Region::count() const
 bool Region::contains(BodyId body, Item item) const
 {
     const auto found = items.find(body);
-    return found != items.end() && std::binary_search(found->second.begin(), found->second.end(), item);
+    return found != items.end() && std::ranges::binary_search(found->second, item);
 }
 
 void Region::add(BodyId body, Item item)
@@ -76,7 +76,7 @@ Region regionOf(Level level, BodyId body, Region::Items items)
 {
     Region region;
     region.level = level;
-    std::sort(items.begin(), items.end());
+    std::ranges::sort(items);
     items.erase(std::unique(items.begin(), items.end()), items.end());
     if (!items.empty())
         region.items[body] = std::move(items);

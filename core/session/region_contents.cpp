@@ -1,7 +1,8 @@
 #include "core/session/region_contents.h"
 
+#include "core/aggregate/pieces.h"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -16,7 +17,7 @@ double areaOf(const FilledBody& body, const BodyFrame& frame, const Region::Item
     const RenderMesh& mesh = body.render;
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (!std::binary_search(faces.begin(), faces.end(), mesh.faceOfTriangle[t]))
+        if (!std::ranges::binary_search(faces, mesh.faceOfTriangle[t]))
             continue;
         const Vec3 a = frame.point(mesh.triangles[t][0]);
         sum += (frame.point(mesh.triangles[t][1]) - a).cross(frame.point(mesh.triangles[t][2]) - a).norm() / 2;
@@ -37,7 +38,7 @@ double lengthOfEdges(const FilledBody& body, const BodyFrame& frame, const Regio
 {
     double sum = 0;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e)
-        if (std::binary_search(chains.begin(), chains.end(), body.render.chainOfEdge[e]))
+        if (std::ranges::binary_search(chains, body.render.chainOfEdge[e]))
             sum += (frame.point(body.render.edges[e][1]) - frame.point(body.render.edges[e][0])).norm();
     return sum;
 }
@@ -63,7 +64,7 @@ std::vector<ObjectIndex> objectsAtEdges(const FilledBody& body, const Region::It
     const Lattice& lattice = body.aggregate->lattice;
     std::vector<ObjectIndex> objects;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e) {
-        if (!std::binary_search(chains.begin(), chains.end(), body.render.chainOfEdge[e]))
+        if (!std::ranges::binary_search(chains, body.render.chainOfEdge[e]))
             continue;
         const Vec3& a = body.mesh.vertices[body.render.source[body.render.edges[e][0]]];
         const Vec3& b = body.mesh.vertices[body.render.source[body.render.edges[e][1]]];
@@ -103,7 +104,7 @@ std::vector<ObjectIndex> objectsOf(const FilledBody& body, const Model& model, L
                 objects.push_back(end);
         break;
     }
-    std::sort(objects.begin(), objects.end());
+    std::ranges::sort(objects);
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     return objects;
 }
@@ -210,10 +211,7 @@ Region objectsWithin(const Region& region, double distance, const FilledModel& c
 
 std::array<ObjectIndex, 2> endsOf(const Aggregate& aggregate, const ConnectionId& connection)
 {
-    const std::vector<Lattice::Segment>& segments = aggregate.lattice.segments[connection.direction];
-    const auto next = std::upper_bound(segments.begin(), segments.end(), connection.lower,
-                                       [](ObjectIndex lower, const Lattice::Segment& s) { return lower < s.begin; });
-    return {connection.lower, connection.lower + static_cast<ObjectIndex>(std::prev(next)->offset)};
+    return {connection.lower, upperEnd(aggregate.lattice, connection)};
 }
 
 bool isConnection(const Aggregate& aggregate, Region::Item item)
@@ -226,11 +224,9 @@ bool isConnection(const Aggregate& aggregate, Region::Item item)
 std::vector<ConnectionId> allConnections(const Aggregate& aggregate)
 {
     std::vector<ConnectionId> connections;
-    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
-                if (aggregate.weight[d][lower] > 0)
-                    connections.push_back({d, lower});
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex) {
+        connections.push_back({d, lower});
+    });
     return connections;
 }
 

@@ -1,10 +1,9 @@
 #include "core/session/render_mesh.h"
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/session/edge_chains.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace knead {
 
@@ -24,43 +23,17 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh)
     std::vector<HalfEdge> halfEdges;
     halfEdges.reserve(mesh.triangles.size() * 3);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint8_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = mesh.triangles[t][i];
-            const std::uint32_t b = mesh.triangles[t][(i + 1) % 3];
-            halfEdges.push_back({(std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b), t, i});
-        }
-    std::sort(halfEdges.begin(), halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        for (std::uint8_t i = 0; i < 3; ++i)
+            halfEdges.push_back({pairKey(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]), t, i});
+    std::ranges::sort(halfEdges, [](const HalfEdge& a, const HalfEdge& b) {
         return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
     });
     return halfEdges;
 }
 
-/// Sets of triangle corners that share a normal.
-class CornerSets {
-public:
-    explicit CornerSets(std::size_t corners)
-        : m_parent(corners)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-    }
-
-    std::uint32_t find(std::uint32_t corner)
-    {
-        while (m_parent[corner] != corner)
-            corner = m_parent[corner] = m_parent[m_parent[corner]];
-        return corner;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { m_parent[find(a)] = find(b); }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 Vec3 unitNormal(const TriangleMesh& mesh, std::uint32_t t)
 {
-    const auto& v = mesh.triangles[t];
-    const Vec3 normal = (mesh.vertices[v[1]] - mesh.vertices[v[0]]).cross(mesh.vertices[v[2]] - mesh.vertices[v[0]]);
-    return normal.stableNormalized();
+    return crossOf(mesh.vertices, mesh.triangles[t]).stableNormalized();
 }
 
 bool isSmooth(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u)
@@ -74,7 +47,7 @@ bool isSmooth(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u)
 std::uint32_t cornerAt(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t vertex)
 {
     const auto& v = mesh.triangles[t];
-    return 3 * t + static_cast<std::uint32_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
+    return 3 * t + static_cast<std::uint32_t>(std::ranges::find(v, vertex) - v.begin());
 }
 
 struct Seam {
@@ -83,7 +56,7 @@ struct Seam {
 };
 
 /// Joins corners across smooth edges and returns the others, which are the feature edges.
-std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, CornerSets& sets)
+std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, DisjointSets& sets)
 {
     std::vector<Seam> seams;
     const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
@@ -107,7 +80,7 @@ std::vector<Seam> joinSmoothCorners(const TriangleMesh& mesh, CornerSets& sets)
 
 RenderMesh renderMesh(const TriangleMesh& mesh)
 {
-    CornerSets sets(mesh.triangles.size() * 3);
+    DisjointSets sets(mesh.triangles.size() * 3); // of corners that share a normal
     const std::vector<Seam> seams = joinSmoothCorners(mesh, sets);
 
     RenderMesh result;

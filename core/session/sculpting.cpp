@@ -22,7 +22,7 @@ constexpr double otherHandRadii = 3;   // ... and farther than so many radii
 constexpr double smoothing = 0.5;      // share of the newest force: waves pass through
 constexpr double worthTelling = 0.02;  // of the largest speed
 constexpr double arrived = 0.02;       // a lifted finger has, so near, in its radii
-constexpr double patience = 0.5;       // with a finger that something holds, beyond what its way takes [s]
+constexpr double lingering = 0.5;      // with a finger that something holds, beyond what its way takes [s]
 constexpr double stalled = 0.97;       // of its limit, which holds a finger
 
 Vec3 across(const Vec3& direction, const Vec3& normal)
@@ -323,7 +323,7 @@ void SculptStroke::moveFinger(Touch& touch, const Snapshot& now, bool hasAll, st
     if (!touch.leaveBy) {
         const Pose away = poseOf(touch, true);
         touch.told = away.position;
-        touch.leaveBy = now.time + 2 * (away.position - tool->pose.position).norm() / tool->speedLimit + patience;
+        touch.leaveBy = now.time + 2 * (away.position - tool->pose.position).norm() / tool->speedLimit + lingering;
         commands.emplace_back(SetManipulatorMotion{tool->id, GoTo{away}});
     } else if ((tool->pose.position - touch.told).norm() < arrived * m_choice.radius || now.time > *touch.leaveBy) {
         touch.isGone = true;

@@ -12,12 +12,6 @@ namespace knead {
 
 namespace {
 
-std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, std::uint32_t triangle, std::span<const Vec3> places)
-{
-    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
-    return {places[t[0]], places[t[1]], places[t[2]]};
-}
-
 Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
 {
     return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
@@ -27,7 +21,7 @@ Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
 
 Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places)
 {
-    return blend(cornersOf(body.mesh, place.triangle, places), place.shares);
+    return blend(cornersOf(places, body.mesh.triangles[place.triangle]), place.shares);
 }
 
 std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
@@ -53,13 +47,12 @@ std::optional<SkinPlace> nearestPlace(const Vec3& point, const FilledBodies& bod
         if (!bodies[b])
             continue;
         const TriangleMesh& mesh = bodies[b]->mesh;
-        for (const Vec3& vertex : mesh.vertices)
-            box.extend(vertex);
+        box.extend(boxOfPlaces(mesh.vertices));
         const SurfaceDistance::Hit hit = SurfaceDistance(mesh).nearest(point);
         if (hit.distance >= least)
             continue;
         least = hit.distance;
-        nearest = {b, hit.triangle, nearestShares(cornersOf(mesh, hit.triangle, mesh.vertices), hit.point)};
+        nearest = {b, hit.triangle, nearestShares(cornersOf(mesh.vertices, mesh.triangles[hit.triangle]), hit.point)};
     }
     return nearest && least <= farthest * box.diagonal().norm() ? nearest : std::nullopt;
 }
@@ -88,8 +81,7 @@ std::size_t trueVertices(const FilledModel& content, const FilledBody& body)
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after)
 {
     const FilledBody& old = *before[place.body];
-    const auto found =
-        std::find_if(after.begin(), after.end(), [&](const auto& body) { return body->part == old.part; });
+    const auto found = std::ranges::find_if(after, [&](const auto& body) { return body->part == old.part; });
     if (found == after.end())
         return std::nullopt;
     const FilledBody& body = **found;
@@ -100,7 +92,7 @@ std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies&
     for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
         if (face && body.mesh.faceOfTriangle[t] != *face)
             continue;
-        const auto corners = cornersOf(body.mesh, t, body.mesh.vertices);
+        const auto corners = cornersOf(body.mesh.vertices, body.mesh.triangles[t]);
         const Vec3 shares = nearestShares(corners, rest);
         if (const double distance = (blend(corners, shares) - rest).squaredNorm(); distance < nearest) {
             nearest = distance;

@@ -9,19 +9,11 @@ namespace {
 
 constexpr double capTolerance = 1e-4; // of the outline, in sizes of the body: less than a pixel
 
-Box boxOf(const std::vector<Vec3>& places)
-{
-    Box box;
-    for (const Vec3& place : places)
-        box.extend(place);
-    return box;
-}
-
 PlaneSection capOf(const FilledBody& body, const std::vector<Vec3>& places, const CutPlane& plane)
 {
     if (places.empty())
         return {};
-    return planeSection(places, body.mesh.triangles, plane, capTolerance * boxOf(places).sizes().maxCoeff());
+    return planeSection(places, body.mesh.triangles, plane, capTolerance * boxOfPlaces(places).sizes().maxCoeff());
 }
 
 /// Collects stress of several bodies: the error is that of the most stressed one.
@@ -31,7 +23,7 @@ struct StressReading {
 
     std::vector<float> take(SkinStresses stresses)
     {
-        const auto largest = std::max_element(stresses.vonMises.begin(), stresses.vonMises.end());
+        const auto largest = std::ranges::max_element(stresses.vonMises);
         if (largest != stresses.vonMises.end() && *largest > most) {
             most = *largest;
             errorShare = stresses.errorShare;

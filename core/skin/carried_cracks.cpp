@@ -27,25 +27,19 @@ public:
         : m_links(filling.aggregate.size())
         , m_isOnlyCut(std::ranges::all_of(filling.broken, &BrokenConnection::isCut))
     {
-        const Aggregate& aggregate = filling.aggregate;
         std::unordered_map<std::uint64_t, double> cutAt;
         const auto keyOf = [](std::size_t d, ObjectIndex lower) {
             return std::uint64_t{lower} * Lattice::directionCount + d;
         };
         for (const BrokenConnection& connection : filling.broken)
             cutAt.emplace(keyOf(connection.direction, connection.lower), connection.cutAt);
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-                for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower) {
-                    if (!(aggregate.weight[d][lower] > 0))
-                        continue;
-                    const ObjectIndex upper = lower + static_cast<ObjectIndex>(segment.offset);
-                    const auto found = cutAt.find(keyOf(d, lower));
-                    const bool isBroken = found != cutAt.end();
-                    const double at = isBroken ? found->second : 0;
-                    m_links[lower].push_back({upper, isBroken, at});
-                    m_links[upper].push_back({lower, isBroken, at > 0 ? 1 - at : 0});
-                }
+        filling.aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+            const auto found = cutAt.find(keyOf(d, lower));
+            const bool isBroken = found != cutAt.end();
+            const double at = isBroken ? found->second : 0;
+            m_links[lower].push_back({upper, isBroken, at});
+            m_links[upper].push_back({lower, isBroken, at > 0 ? 1 - at : 0});
+        });
         for (const auto& [first, second] : filling.healed) {
             m_links[first].push_back({second, false, 0});
             m_links[second].push_back({first, false, 0});
@@ -207,10 +201,7 @@ void keepCrumbs(const Aggregate& aggregate, std::vector<BrokenConnection>& broke
 
 VectorArray nodesOf(const Aggregate& aggregate)
 {
-    VectorArray nodes(aggregate.size());
-    for (ObjectIndex i = 0; i < nodes.size(); ++i)
-        nodes.set(i, aggregate.lattice.position(i));
-    return nodes;
+    return VectorArray(aggregate.lattice.positions());
 }
 
 std::vector<BrokenConnection> carriedCracks(const CrackedFilling& cracked, const Aggregate& other,
@@ -223,19 +214,14 @@ std::vector<BrokenConnection> carriedCracks(const CrackedFilling& cracked, const
     Ways ways(neighbors, cracked.places, spacing);
     const std::vector<ObjectIndex> nearest = nearestPoints(cracked.places, places, spacing);
     std::vector<BrokenConnection> carried;
-    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : other.lattice.segments[d])
-            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower) {
-                const ObjectIndex upper = lower + static_cast<ObjectIndex>(segment.offset);
-                const ObjectIndex from = nearest[lower];
-                const ObjectIndex to = nearest[upper];
-                const bool isAsked = other.weight[d][lower] > 0 &&
-                                     (neighbors.isNear(from) || neighbors.isNear(to) || neighbors.arePieces(from, to));
-                if (!isAsked)
-                    continue;
-                if (const auto at = ways.brokenOn(places.at(lower), places.at(upper)))
-                    carried.push_back({{d, lower}, *at});
-            }
+    other.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        const ObjectIndex from = nearest[lower];
+        const ObjectIndex to = nearest[upper];
+        if (!neighbors.isNear(from) && !neighbors.isNear(to) && !neighbors.arePieces(from, to))
+            return;
+        if (const auto at = ways.brokenOn(places.at(lower), places.at(upper)))
+            carried.push_back({{d, lower}, *at});
+    });
     keepCrumbs(other, carried);
     return carried;
 }

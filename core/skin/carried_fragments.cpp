@@ -16,26 +16,14 @@ constexpr double volumeSlack = 0.01;
 constexpr int firmlyConnected = 6; // live connections of an object that does not dangle
 constexpr int wellConnected = 9;   // live connections of an object whose surroundings say how it is deformed
 
-template <typename Value>
-std::vector<Value> picked(std::span<const Value> values, const std::vector<ObjectIndex>& objects)
-{
-    std::vector<Value> result;
-    for (const ObjectIndex object : objects)
-        result.push_back(values[object]);
-    return result;
-}
-
 /// Live connections per object.
 std::vector<int> degrees(const Aggregate& part)
 {
     std::vector<int> count(part.size(), 0);
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : part.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-                if (part.weight[d][object] > 0) {
-                    ++count[object];
-                    ++count[object + static_cast<ObjectIndex>(segment.offset)];
-                }
+    part.forEachConnection([&](std::uint32_t, ObjectIndex lower, ObjectIndex upper) {
+        ++count[lower];
+        ++count[upper];
+    });
     return count;
 }
 
@@ -62,12 +50,10 @@ double volumeAt(const TriangleMesh& rest, const std::vector<Vec3>& places)
 /// Where the objects have gone on the whole.
 void moveRigidly(const Fragment& fragment, const Aggregate& part, std::span<const Vec3> moved, CarriedFragment& carried)
 {
-    std::vector<Vec3> before;
-    std::vector<Vec3> after;
-    for (ObjectIndex i = 0; i < part.size(); ++i) {
-        before.push_back(part.lattice.position(i));
-        after.push_back(before.back() + moved[i]);
-    }
+    const std::vector<Vec3> before = part.lattice.positions();
+    std::vector<Vec3> after = before;
+    for (ObjectIndex i = 0; i < part.size(); ++i)
+        after[i] += moved[i];
     const RigidFit fit = fitRigidMotion(before, after);
     for (std::size_t v = 0; v < carried.places.size(); ++v)
         carried.places[v] = fit.turn * (fragment.mesh.vertices[v] - fit.from) + fit.to;
@@ -137,13 +123,11 @@ std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const
     const ObjectStrains body(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
     const FieldSource source{.body = body, .loaded = loaded, .isWanted = relaxed != nullptr};
     std::vector<CarriedFragment> result;
-    const auto count = static_cast<double>(fragments.size());
     for (const Fragment& fragment : fragments) {
-        const auto done = static_cast<double>(result.size());
-        TaskPortion portion(control, done / count, (done + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, result.size(), fragments.size());
         const std::vector<ObjectIndex> carriers = carriersOf(aggregate, fragment, isBroken);
         const Aggregate part = extract(aggregate, carriers, isBroken);
-        result.push_back(carriedBy(part, fragment, picked(displacement, carriers), carriers, source, portion));
+        result.push_back(carriedBy(part, fragment, pickedOf(displacement, carriers), carriers, source, portion));
     }
     return result;
 }

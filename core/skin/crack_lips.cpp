@@ -1,7 +1,6 @@
 #include "core/skin/crack_lips.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace knead {
@@ -116,16 +115,14 @@ CrackLips::CrackLips(const Aggregate& aggregate, const Pieces& pieces, std::span
     }
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     Ends holding;
-    std::vector<std::pair<Ends::value_type, std::size_t>> all; // with their directions
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-                if (const ObjectIndex other = object + static_cast<ObjectIndex>(segment.offset);
-                    aggregate.weight[d][object] > 0 && pieces.ofObject[object] == pieces.ofObject[other]) {
-                    all.push_back({{object, other}, d});
-                    if ((isBroken[object] >> d & 1U) == 0)
-                        holding.emplace_back(object, other);
-                }
+    std::vector<std::pair<Ends::value_type, std::uint32_t>> all; // with their directions
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        if (pieces.ofObject[lower] != pieces.ofObject[upper])
+            return;
+        all.push_back({{lower, upper}, d});
+        if ((isBroken[lower] >> d & 1U) == 0)
+            holding.emplace_back(lower, upper);
+    });
     spread(Links(m_lip.size(), holding), m_lip);
     std::ranges::replace(m_lip, uncolored, std::uint8_t{0}); // pieces without lips
     std::vector<Vec3> points;
@@ -134,9 +131,7 @@ CrackLips::CrackLips(const Aggregate& aggregate, const Pieces& pieces, std::span
             points.push_back((aggregate.lattice.position(ends.first) + aggregate.lattice.position(ends.second)) / 2);
             m_isOpen.push_back(isBroken[ends.first] >> direction & 1U);
         }
-    m_points.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        m_points.set(i, points[i]);
+    m_points = VectorArray(points);
     m_grid.emplace(m_points, m_spacing);
 }
 

@@ -38,7 +38,7 @@ public:
         if (!m_nodes.cornersAbove(lowest, corners))
             return;
         const auto isFirst = [&](ObjectIndex node) { return m_nodes.label(node) == m_nodes.label(corners[0]); };
-        if (std::all_of(corners.begin(), corners.end(), isFirst))
+        if (std::ranges::all_of(corners, isFirst))
             return;
         const auto begin = static_cast<std::uint32_t>(m_surface.triangles.size());
         for (std::size_t way = 0; way < 6; ++way) {
@@ -89,12 +89,12 @@ private:
         Order order{0, 1, 2, 3};
         std::array<std::ptrdiff_t, 4> times{};
         for (std::size_t i = 0; i < 4; ++i)
-            times[i] = std::count(labels.begin(), labels.end(), labels[i]);
-        const std::ptrdiff_t most = *std::max_element(times.begin(), times.end());
+            times[i] = std::ranges::count(labels, labels[i]);
+        const std::ptrdiff_t most = *std::ranges::max_element(times);
         if (most == 4)
             return;
         // A lone corner first; or else the pairs of equal ones together, the larger group first.
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
             if (times[i] != times[j])
                 return most == 3 ? times[i] < times[j] : times[i] > times[j];
             return labels[i] < labels[j];
@@ -175,7 +175,7 @@ private:
     std::uint32_t onFace(std::size_t i, std::size_t j, std::size_t k)
     {
         std::array<std::size_t, 3> c{i, j, k};
-        std::sort(c.begin(), c.end());
+        std::ranges::sort(c);
         const std::uint64_t key = std::uint64_t{m_node[c[0]]} * 64 + (m_corner[c[1]] ^ m_corner[c[0]]) * 8 +
                                   (m_corner[c[2]] ^ m_corner[c[0]]);
         if (const auto known = m_onFaces.find(key); known != m_onFaces.end())

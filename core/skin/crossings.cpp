@@ -65,7 +65,7 @@ Sides sidesOf(const std::array<Place, 3>& plane, const std::array<Place, 3>& cor
     Sides sides;
     for (std::size_t i = 0; i < 3; ++i)
         sides.height[i] = ExactOrientation::sixVolumes(plane[0], plane[1], plane[2], corners[i]);
-    const auto zeros = std::count(sides.height.begin(), sides.height.end(), 0.0);
+    const auto zeros = std::ranges::count(sides.height, 0.0);
     sides.isFlat = zeros == 3;
     if (zeros == 1 || zeros == 2)
         throw DegenerateCut();
@@ -79,7 +79,7 @@ public:
         , m_halfEdges(halfEdges)
         , m_cracks(cracks)
         , m_frame(frame)
-        , m_orientation(boxOf(skin, cracks))
+        , m_orientation(boxOfPlaces(skin.vertices).merged(boxOfPlaces(cracks.vertices)))
     {
         for (const Vec3& vertex : skin.vertices)
             m_skinPlaces.push_back(m_orientation.rounded(vertex));
@@ -112,16 +112,6 @@ public:
     }
 
 private:
-    static Box boxOf(const TriangleMesh& skin, const CrackSurface& cracks)
-    {
-        Box box;
-        for (const Vec3& vertex : skin.vertices)
-            box.extend(vertex);
-        for (const Vec3& vertex : cracks.vertices)
-            box.extend(vertex);
-        return box;
-    }
-
     void findPair(std::uint32_t skinTriangle, std::uint32_t crackTriangle, std::vector<Found>& found) const
     {
         const TriangleMesh::Triangle& skinCorners = m_skin.triangles[skinTriangle];
@@ -238,7 +228,7 @@ Crossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, co
             crossings.points.push_back(found.end);
         }
     std::vector<Point>& points = crossings.points;
-    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return keyOf(a) < keyOf(b); });
+    std::ranges::sort(points, [](const Point& a, const Point& b) { return keyOf(a) < keyOf(b); });
     points.erase(
         std::unique(points.begin(), points.end(), [](const Point& a, const Point& b) { return keyOf(a) == keyOf(b); }),
         points.end());
@@ -251,7 +241,7 @@ Crossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, co
         for (const Found& found : block)
             crossings.segments.push_back(
                 {found.skinTriangle, found.crackTriangle, numberOf(found.start), numberOf(found.end)});
-    std::sort(crossings.segments.begin(), crossings.segments.end(), [](const auto& a, const auto& b) {
+    std::ranges::sort(crossings.segments, [](const auto& a, const auto& b) {
         return std::pair(a.skinTriangle, a.crackTriangle) < std::pair(b.skinTriangle, b.crackTriangle);
     });
     return crossings;

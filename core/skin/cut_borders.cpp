@@ -35,9 +35,7 @@ CutBorders::CutBorders(const Aggregate& aggregate, std::span<const BrokenConnect
         points.push_back(aggregate.lattice.position(connection.lower) + share * way);
         m_crossings.push_back({lowerLabel, labels[upper], way, connection.isCut()});
     }
-    m_points.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        m_points.set(i, points[i]);
+    m_points = VectorArray(points);
     if (!points.empty())
         m_grid.emplace(m_points, m_spacing);
 }

@@ -3,7 +3,6 @@
 #include "core/skin/crossings.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace knead {
 
@@ -72,7 +71,7 @@ public:
             m_halves.push_back({.from = line.start, .to = line.end, .tag = line.leftTag, .border = {}});
             m_halves.push_back({.from = line.end, .to = line.start, .tag = line.rightTag, .border = {}});
         }
-        std::sort(m_halves.begin(), m_halves.end(), [](const Half& a, const Half& b) {
+        std::ranges::sort(m_halves, [](const Half& a, const Half& b) {
             return a.from != b.from ? a.from < b.from : a.tag != b.tag ? a.tag < b.tag : a.to < b.to;
         });
     }

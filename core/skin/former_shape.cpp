@@ -54,9 +54,7 @@ const Aggregate& firstFillingOf(const Aggregate& aggregate)
 std::vector<Vec3> firstFillingWhenFilled(const Aggregate& aggregate)
 {
     const Aggregate& first = firstFillingOf(aggregate);
-    std::vector<Vec3> places(first.size());
-    for (ObjectIndex i = 0; i < places.size(); ++i)
-        places[i] = first.lattice.position(i);
+    std::vector<Vec3> places = first.lattice.positions();
     if (!aggregate.former || !aggregate.former->isInPieces())
         return placesWhenFilled(aggregate, places);
     const std::vector<BrokenConnection>& broken = aggregate.former->broken();
@@ -68,14 +66,9 @@ std::vector<Vec3> firstFillingWhenFilled(const Aggregate& aggregate)
         ofPiece[pieces.ofObject[i]].push_back(i);
     for (const std::vector<ObjectIndex>& objects : ofPiece) {
         const Aggregate piece = extract(first, objects, isBroken);
-        std::vector<Vec3> there(objects.size());
-        std::vector<Vec3> displacements(objects.size());
-        for (std::size_t i = 0; i < objects.size(); ++i) {
-            there[i] = places[objects[i]];
-            displacements[i] = aggregate.former->displacements()[objects[i]];
-        }
+        std::vector<Vec3> there = pickedOf(places, objects);
         const Skin skin(piece, there);
-        skin.evaluate(displacements, there);
+        skin.evaluate(pickedOf(aggregate.former->displacements(), objects), there);
         for (std::size_t i = 0; i < objects.size(); ++i)
             places[objects[i]] = there[i];
     }
@@ -104,6 +97,13 @@ CarriedSurface carriedSurface(const TriangleMesh& mesh, const SmoothMap& map, do
     surface.mesh = refineWhereCarried(mesh, maximumEdge, mostTriangles, carry);
     carry(surface.mesh.vertices);
     return surface;
+}
+
+TriangleMesh carriedMesh(const TriangleMesh& mesh, const SmoothMap& map, double maximumEdge, std::size_t mostTriangles)
+{
+    CarriedSurface surface = carriedSurface(mesh, map, maximumEdge, mostTriangles);
+    surface.mesh.vertices = std::move(surface.places);
+    return std::move(surface.mesh);
 }
 
 } // namespace knead

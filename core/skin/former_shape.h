@@ -79,4 +79,7 @@ struct CarriedSurface {
 CarriedSurface carriedSurface(const TriangleMesh& mesh, const SmoothMap& map, double maximumEdge,
                               std::size_t mostTriangles = 400'000);
 
+/// The same where the map takes it.
+TriangleMesh carriedMesh(const TriangleMesh& mesh, const SmoothMap& map, double maximumEdge, std::size_t mostTriangles);
+
 } // namespace knead

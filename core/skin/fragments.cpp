@@ -90,8 +90,8 @@ public:
         // A shell is of the solid that most of its corners are near; a solid without a shell is part of the one whose
         // shell is around it.
         for (const auto& [shell, count] : votes) {
-            const auto most = std::max_element(count.begin(), count.end(),
-                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto most =
+                std::ranges::max_element(count, [](const auto& a, const auto& b) { return a.second < b.second; });
             m_solidOfShell[shell] = most->first;
             m_ownerOfSolid[most->first] = most->first;
         }
@@ -178,8 +178,7 @@ public:
     {
         joinAllDust();
         for (std::size_t i = 0; i < m_solids.size(); ++i) {
-            const auto count = static_cast<double>(m_solids.size());
-            TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+            TaskPortion portion = TaskPortion::ofItem(control, i, m_solids.size());
             cut(m_solids[i], portion);
         }
         std::vector<Fragment> result;
@@ -218,14 +217,14 @@ private:
     std::uint32_t largest(const Solid& solid) const
     {
         const auto rank = [&](std::uint32_t piece) { return std::pair(m_isDust[piece] == 0, m_sizes[piece]); };
-        return *std::max_element(solid.pieces.begin(), solid.pieces.end(),
-                                 [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+        return *std::ranges::max_element(solid.pieces,
+                                         [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
     }
 
     std::size_t shapes(const Solid& solid) const
     {
-        return static_cast<std::size_t>(std::count_if(solid.pieces.begin(), solid.pieces.end(),
-                                                      [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
+        return static_cast<std::size_t>(
+            std::ranges::count_if(solid.pieces, [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
     }
 
     /// Pieces that hardly any material is found for, all of whose objects are outside of the surface, become dust.
@@ -241,7 +240,7 @@ private:
             const double least = leastMaterial * std::pow(m_aggregate.lattice.spacing, 3);
             bool isComplete = true;
             for (const std::uint32_t piece : solid.pieces) {
-                const bool isThere = std::any_of(meshes.begin(), meshes.end(), [&](const SewnMesh& mesh) {
+                const bool isThere = std::ranges::any_of(meshes, [&](const SewnMesh& mesh) {
                     return mesh.piece == piece && massProperties(mesh.mesh).volume > least;
                 });
                 if (m_isDust[piece] == 0 && !isThere) {
@@ -371,6 +370,16 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
         return {std::move(whole)};
     }
     return Breaker(aggregate, skin, broken, std::move(pieces), lips, options).fragments(control);
+}
+
+std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments)
+{
+    std::vector<std::uint32_t> of(aggregate.size(), 0);
+    for (std::uint32_t f = 0; f < fragments.size(); ++f)
+        for (const std::vector<ObjectIndex>* objects : {&fragments[f].objects, &fragments[f].dust})
+            for (const ObjectIndex object : *objects)
+                of[object] = f;
+    return of;
 }
 
 } // namespace knead

@@ -47,4 +47,7 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
                                   std::span<const BrokenConnection> broken, const FragmentOptions& options = {},
                                   TaskControl& control = TaskControl::none());
 
+/// Per object of an aggregate: which of its fragments it is of, as dust or not.
+std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments);
+
 } // namespace knead

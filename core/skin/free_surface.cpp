@@ -73,9 +73,8 @@ void findHollows(const TriangleMesh& mesh, std::vector<FreeSurface>& surfaces)
         double area = 0;
     };
     const HalfEdges edges = findHalfEdges(mesh);
-    const auto areaOf = [&](std::size_t triangle) {
-        const auto& [a, b, c] = mesh.triangles[triangle];
-        return Vec3(0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]));
+    const auto areaOf = [&](std::size_t triangle) -> Vec3 {
+        return 0.5 * crossOf(mesh.vertices, mesh.triangles[triangle]);
     };
     const auto endsOf = [&](std::size_t edge) {
         return std::pair(mesh.triangles[edge / 3][edge % 3], mesh.triangles[edge / 3][(edge + 1) % 3]);

@@ -4,13 +4,13 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/message/message.h"
+#include "core/message/number_text.h"
 #include "core/skin/fragments.h"
 #include "core/skin/torn_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -34,9 +34,7 @@ double gapeOf(const TriangleMesh& rest, const TriangleMesh& now)
     for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
         if (rest.faceOfTriangle[t] != Fragment::crackFace)
             continue;
-        const auto& [a, b, c] = now.triangles[t];
-        const Vec3 normal =
-            (now.vertices[b] - now.vertices[a]).cross(now.vertices[c] - now.vertices[a]).stableNormalized();
+        const Vec3 normal = crossOf(now.vertices, now.triangles[t]).stableNormalized();
         for (const std::uint32_t v : now.triangles[t])
             for (const std::uint32_t other :
                  together[{rest.vertices[v].x(), rest.vertices[v].y(), rest.vertices[v].z()}])
@@ -103,8 +101,6 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
     const double gape = gapeOf(torn->mesh, now);
     if (gape < leastGape * spacing)
         return {};
-    char millimetres[32];
-    std::snprintf(millimetres, sizeof millimetres, "%.3g", 1e3 * gape);
     const auto named = [&](TriangleMesh mesh) {
         PartToExport part{.part = pieceOf(whole.part, std::move(mesh), 1)};
         part.part.name = whole.part.name;
@@ -116,7 +112,7 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
         part.density = whole.density;
         part.remarks = whole.remarks;
         part.remarks.push_back(Message("Export", "\"%1\" is cut into or cracked, but in one piece: it gapes by %2 mm.")
-                                   .with(whole.part.name, millimetres));
+                                   .with(whole.part.name, inDigits(1e3 * gape, 3)));
         return part;
     };
     if (auto slit = keepsFaces && whole.part.exact ? findKnifeSlit(aggregate, *whole.broken) : std::nullopt) {

@@ -107,25 +107,21 @@ std::optional<KnifeSlit> findKnifeSlit(const Aggregate& aggregate, std::span<con
     std::vector<Vec2> holding; // wherever the plane goes
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     double lipAbove = 0; // votes for lip 1 of CrackLips
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object) {
-                const ObjectIndex other = object + static_cast<ObjectIndex>(segment.offset);
-                const double here = normal.dot(lattice.position(object) - middle);
-                const double there = normal.dot(lattice.position(other) - middle);
-                if (!(aggregate.weight[d][object] > 0) || here * there >= 0)
-                    continue;
-                const Vec2 place =
-                    inPlane(lattice.position(object) +
-                            here / (here - there) * (lattice.position(other) - lattice.position(object)));
-                if ((isBroken[object] >> d & 1U) == 0) {
-                    holding.push_back(place);
-                    if (box.contains(place))
-                        crossings.closed.push_back(place);
-                }
-                if ((isBroken[object] >> d & 1U) != 0)
-                    lipAbove += (here > 0) == (lips.ofObject()[object] == 1) ? 1 : -1;
-            }
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex object, ObjectIndex other) {
+        const Vec3 from = lattice.position(object);
+        const Vec3 to = lattice.position(other);
+        const double here = normal.dot(from - middle);
+        const double there = normal.dot(to - middle);
+        if (here * there >= 0)
+            return;
+        if ((isBroken[object] >> d & 1U) != 0) {
+            lipAbove += (here > 0) == (lips.ofObject()[object] == 1) ? 1 : -1;
+            return;
+        }
+        holding.push_back(inPlane(from + here / (here - there) * (to - from)));
+        if (box.contains(holding.back()))
+            crossings.closed.push_back(holding.back());
+    });
     const bool hasTip = !crossings.closed.empty();
     Tip tip;
     if (hasTip)
@@ -209,27 +205,22 @@ SlitMap::SlitMap(const Aggregate& all, const KnifeSlit& slit, const std::vector<
     }
     // Connections from one side of the slit to the other are no more.
     std::vector<std::uint16_t> isBroken(aggregate.size(), 0);
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
-            for (ObjectIndex object = segment.begin; object < segment.end; ++object) {
-                const ObjectIndex other = object + static_cast<ObjectIndex>(segment.offset);
-                const Vec3 from = aggregate.lattice.position(object) - slit.origin;
-                const Vec3 to = aggregate.lattice.position(other) - slit.origin;
-                const double here = normal.dot(from);
-                const double there = normal.dot(to);
-                if (here * there >= 0)
-                    continue;
-                const Vec3 place = from + here / (here - there) * (to - from);
-                const double way = slit.opening.dot(place);
-                if (way > 0 && way < slit.length && std::abs(slit.along.dot(place)) < slit.halfTip)
-                    isBroken[object] = static_cast<std::uint16_t>(isBroken[object] | 1U << d);
-            }
+    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex object, ObjectIndex other) {
+        const Vec3 from = aggregate.lattice.position(object) - slit.origin;
+        const Vec3 to = aggregate.lattice.position(other) - slit.origin;
+        const double here = normal.dot(from);
+        const double there = normal.dot(to);
+        if (here * there >= 0)
+            return;
+        const Vec3 place = from + here / (here - there) * (to - from);
+        const double way = slit.opening.dot(place);
+        if (way > 0 && way < slit.length && std::abs(slit.along.dot(place)) < slit.halfTip)
+            isBroken[object] = static_cast<std::uint16_t>(isBroken[object] | 1U << d);
+    });
     for (std::size_t part = 0; part < objects.size(); ++part) {
         objects[part] = firmOf(aggregate, objects[part], isBroken);
-        std::vector<Vec3> own;
-        for (const ObjectIndex object : objects[part])
-            own.push_back(displacements[object]);
-        m_parts[part] = std::make_unique<const Part>(extract(aggregate, objects[part], isBroken), std::move(own));
+        m_parts[part] = std::make_unique<const Part>(extract(aggregate, objects[part], isBroken),
+                                                     pickedOf(displacements, objects[part]));
         m_sides[part] = std::make_unique<const Side>(*this, part);
     }
 }

@@ -20,17 +20,6 @@ constexpr double leastLeadAtCut = 2e-3; // where it is known how far they are
 constexpr std::size_t nodesPerBlock = 2048;
 constexpr std::size_t trianglesPerBlock = 4096;
 
-Lattice::Node sum(const Lattice::Node& a, const Lattice::Node& b)
-{
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-Lattice::Node corner(std::size_t c)
-{
-    return {static_cast<std::int32_t>(c >> 2 & 1), static_cast<std::int32_t>(c >> 1 & 1),
-            static_cast<std::int32_t>(c & 1)};
-}
-
 /// Calls visit(direction, weight) for a node's surroundings: near ones weigh more.
 template <typename Visit>
 void forEachAround(Visit&& visit)
@@ -53,7 +42,7 @@ std::array<double, fitReach * fitReach + 3> fitWeights()
 
 void sortOut(std::vector<Lattice::Node>& nodes)
 {
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
 
@@ -96,7 +85,7 @@ void LabeledNodes::collectNodes(const Aggregate& aggregate, std::span<const std:
     std::vector<Lattice::Node>& nodes = m_lattice.nodes;
     for (const Lattice::Node& cell : cells)
         for (std::size_t c = 0; c < 8; ++c)
-            nodes.push_back(sum(cell, corner(c)));
+            nodes.push_back(Lattice::sum(cell, Lattice::cellCorners[c]));
     for (std::size_t object = 0; object < labels.size(); ++object)
         if (labels[object] != noLabel)
             nodes.push_back(aggregate.lattice.nodes[object]);
@@ -133,17 +122,17 @@ void LabeledNodes::spreadLabels(const Aggregate& aggregate, std::span<const std:
             for (std::size_t i = begin; i < end; ++i) {
                 std::vector<std::pair<std::uint32_t, int>> votes;
                 forEachAround([&](const Lattice::Node& direction, int weight) {
-                    const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[open[i]], direction));
+                    const ObjectIndex other = m_rows->find(Lattice::sum(m_lattice.nodes[open[i]], direction));
                     if (other == m_lattice.size() || m_label[other] == noLabel)
                         return;
-                    const auto vote = std::find_if(votes.begin(), votes.end(),
-                                                   [&](const auto& v) { return v.first == m_label[other]; });
+                    const auto vote =
+                        std::ranges::find_if(votes, [&](const auto& v) { return v.first == m_label[other]; });
                     if (vote == votes.end())
                         votes.emplace_back(m_label[other], weight);
                     else
                         vote->second += weight;
                 });
-                const auto best = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+                const auto best = std::ranges::max_element(votes, [](const auto& a, const auto& b) {
                     return a.second != b.second ? a.second < b.second : a.first > b.first;
                 });
                 if (best != votes.end())
@@ -164,7 +153,7 @@ void LabeledNodes::spreadLabels(const Aggregate& aggregate, std::span<const std:
         return;
     // What no object is near to, such as a solid too thin to hold any.
     const LatticeRows objects(aggregate.lattice);
-    const std::uint32_t any = *std::min_element(labels.begin(), labels.end());
+    const std::uint32_t any = *std::ranges::min_element(labels);
     for (const ObjectIndex node : open) {
         const Lattice::Node& n = m_lattice.nodes[node];
         const std::uint32_t label = labels[objects.nearest(Vec3(n[0], n[1], n[2]))];
@@ -187,7 +176,7 @@ void LabeledNodes::findBorders()
             for (ObjectIndex node = segment.begin; node < segment.end; ++node) {
                 const ObjectIndex other = node + static_cast<ObjectIndex>(segment.offset);
                 if (m_label[node] != m_label[other] &&
-                    sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
+                    Lattice::sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
                     add(node);
                     add(other);
                 }
@@ -197,11 +186,11 @@ void LabeledNodes::findBorders()
         m_isBorder[node] = 1;
     for (std::size_t i = 0, borders = m_near.size(); i < borders; ++i)
         forEachAround([&](const Lattice::Node& direction, int) {
-            const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[m_near[i]], direction));
+            const ObjectIndex other = m_rows->find(Lattice::sum(m_lattice.nodes[m_near[i]], direction));
             if (other != m_lattice.size())
                 add(other);
         });
-    std::sort(m_near.begin(), m_near.end());
+    std::ranges::sort(m_near);
     for (std::size_t i = 0; i < m_near.size(); ++i)
         m_placeInNear[m_near[i]] = static_cast<std::uint32_t>(i);
 }
@@ -225,6 +214,13 @@ void LabeledNodes::findShares(const CutBorders& cuts, const Vec3& offset, TaskCo
     addLeads();
     for (std::size_t near = 0; near < m_near.size(); ++near)
         keepOwnLabel(near);
+}
+
+/// The share of a label; one that is not there yet begins at 0.
+double& LabeledNodes::shareIn(Shares& shares, std::uint32_t label)
+{
+    const auto known = std::ranges::find(shares, label, &Share::label);
+    return known != shares.end() ? known->share : shares.emplace_back(Share{label, 0}).share;
 }
 
 /// The labels of the objects around a node are 1 there and 0 elsewhere; a linear function fitted to them, near ones first,
@@ -263,12 +259,7 @@ LabeledNodes::Shares LabeledNodes::fitted(ObjectIndex node) const
     Shares shares;
     for (std::size_t i = 0; i < count; ++i) {
         const double part = samples[i].weighted.dot(functions);
-        const auto share =
-            std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.label == samples[i].label; });
-        if (share == shares.end())
-            shares.push_back({samples[i].label, part});
-        else
-            share->share += part;
+        shareIn(shares, samples[i].label) += part;
     }
     return shares;
 }
@@ -295,7 +286,7 @@ void LabeledNodes::addLeads()
                 const ObjectIndex other = node + static_cast<ObjectIndex>(segment.offset);
                 if (m_label[node] != m_label[other] && m_isObject[node] != 0 && m_isObject[other] != 0 &&
                     !isAtCut(node) && !isAtCut(other) &&
-                    sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
+                    Lattice::sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
                     add(node, other);
                     add(other, node);
                 }
@@ -306,12 +297,7 @@ void LabeledNodes::addLeads()
         const std::uint32_t label = m_label[m_near[near]];
         const Leads& sum = leads[label];
         const double lead = sum.count > 0 ? std::max(0.0, (sum.others - sum.own) / sum.count) : 0;
-        const auto own = std::find_if(m_shares[near].begin(), m_shares[near].end(),
-                                      [&](const Share& s) { return s.label == label; });
-        if (own == m_shares[near].end())
-            m_shares[near].push_back({label, lead});
-        else
-            own->share += lead;
+        shareIn(m_shares[near], label) += lead;
     }
 }
 
@@ -351,7 +337,7 @@ double LabeledNodes::share(std::size_t node, std::uint32_t label) const
 bool LabeledNodes::cornersAbove(const Lattice::Node& lowest, std::array<ObjectIndex, 8>& corners) const
 {
     for (std::size_t c = 0; c < 8; ++c) {
-        corners[c] = m_rows->find(sum(lowest, corner(c)));
+        corners[c] = m_rows->find(Lattice::sum(lowest, Lattice::cellCorners[c]));
         if (corners[c] == m_lattice.size())
             return false;
     }
@@ -368,12 +354,12 @@ LabeledNodes::Found LabeledNodes::find(const Vec3& place) const
                       corners))
         return {};
     const std::uint32_t first = m_label[corners[0]];
-    if (std::all_of(corners.begin(), corners.end(), [&](ObjectIndex node) { return m_label[node] == first; }))
+    if (std::ranges::all_of(corners, [&](ObjectIndex node) { return m_label[node] == first; }))
         return {first, true};
     std::array<double, 8> weights{};
     const Vec3 part = coordinates - low;
     for (std::size_t c = 0; c < 8; ++c) {
-        const Lattice::Node n = corner(c);
+        const Lattice::Node& n = Lattice::cellCorners[c];
         weights[c] = 1;
         for (std::size_t i = 0; i < 3; ++i) {
             const double x = part[static_cast<Eigen::Index>(i)];

@@ -64,6 +64,7 @@ private:
     void spreadLabels(const Aggregate& aggregate, std::span<const std::uint32_t> labels);
     void findBorders();
     void findShares(const CutBorders& cuts, const Vec3& offset, TaskControl& control);
+    static double& shareIn(Shares& shares, std::uint32_t label);
     Shares fitted(ObjectIndex node) const;
     bool isAtCut(ObjectIndex node) const { return m_placeInNear[node] != far && m_isAtCut[m_placeInNear[node]] != 0; }
     void addLeads();

@@ -1,9 +1,12 @@
 #include "core/skin/neighborhood.h"
 
+#include "core/task/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -15,16 +18,6 @@ constexpr std::int32_t reach = 3;                  // steps
 constexpr std::int32_t corners = 4;                // nodes per axis at corners of a cell and of those around it
 constexpr std::int32_t side = 2 * reach + corners; // nodes per axis: three steps more on either side
 constexpr double window = 1.5; // kept cells farther from a point than the nearest, by this factor, have no part in it
-
-constexpr Lattice::Node sum(const Lattice::Node& a, const Lattice::Node& b)
-{
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-constexpr Lattice::Node difference(const Lattice::Node& a, const Lattice::Node& b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 
 constexpr std::int32_t placeInBlock(const Lattice::Node& node)
 {
@@ -94,7 +87,7 @@ public:
                     const std::int32_t w = lattice.nodes[object][2];
                     if (w > highest)
                         break;
-                    const auto place = static_cast<std::size_t>(placeInBlock(difference({u, v, w}, m_low)));
+                    const auto place = static_cast<std::size_t>(placeInBlock(Lattice::difference({u, v, w}, m_low)));
                     m_objects[place] = object;
                     m_links[place] = links[object];
                 }
@@ -104,7 +97,7 @@ public:
     /// @param walks a bit for each walk that begins here
     void start(const Lattice::Node& node, std::uint64_t walks)
     {
-        reachPlace(placeInBlock(difference(node, m_low)), walks);
+        reachPlace(placeInBlock(Lattice::difference(node, m_low)), walks);
     }
 
     /// All walks take one step along all connections of the objects they reached last.
@@ -176,15 +169,14 @@ std::size_t walkFrom(const Lattice::Node& local)
     return static_cast<std::size_t>(((local[0] + 1) * corners + local[1] + 1) * corners + local[2] + 1);
 }
 
-constexpr std::array<Lattice::Node, 8> cellCorners{
-    {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}}};
-
 /// Per corner of a cell: a bit for each direction in which its neighbor is in the cell, too.
-constexpr std::array<std::uint16_t, cellCorners.size()> linksInCell = [] {
-    std::array<std::uint16_t, cellCorners.size()> links{};
-    for (std::size_t corner = 0; corner < cellCorners.size(); ++corner)
+constexpr std::array<std::uint16_t, Lattice::cellCorners.size()> linksInCell = [] {
+    std::array<std::uint16_t, Lattice::cellCorners.size()> links{};
+    for (std::size_t corner = 0; corner < Lattice::cellCorners.size(); ++corner)
         for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
-            if (std::ranges::find(cellCorners, sum(cellCorners[corner], Lattice::directions[d])) != cellCorners.end())
+            if (std::ranges::find(Lattice::cellCorners,
+                                  Lattice::sum(Lattice::cellCorners[corner], Lattice::directions[d])) !=
+                Lattice::cellCorners.end())
                 links[corner] |= static_cast<std::uint16_t>(1U << d);
     return links;
 }();
@@ -208,10 +200,10 @@ std::vector<double> partsOf(const std::vector<Lattice::Node>& cells, const Vec3&
     std::vector<double> parts(cells.size());
     std::transform(cells.begin(), cells.end(), parts.begin(),
                    [&](const Lattice::Node& cell) { return std::sqrt(squaredDistanceToCell(coordinates, cell)); });
-    const double least = *std::min_element(parts.begin(), parts.end());
+    const double least = *std::ranges::min_element(parts);
     if (least == 0 || cells.size() == 1) { // those that contain the point all say the same of it
-        const auto first = std::find(parts.begin(), parts.end(), least);
-        std::fill(parts.begin(), parts.end(), 0);
+        const auto first = std::ranges::find(parts, least);
+        std::ranges::fill(parts, 0);
         *first = 1;
         return parts;
     }
@@ -241,8 +233,8 @@ std::vector<double> Neighborhood::shares(const Vec3& coordinates) const
             along[1][component] = smoothStep(coordinates[component] - cells[i][axis]);
             along[0][component] = 1 - along[1][component];
         }
-        for (const Lattice::Node& corner : cellCorners)
-            ofWalk[walkFrom(sum(difference(cells[i], owner.node), corner))] +=
+        for (const Lattice::Node& corner : Lattice::cellCorners)
+            ofWalk[walkFrom(Lattice::sum(Lattice::difference(cells[i], owner.node), corner))] +=
                 parts[i] * along[static_cast<std::size_t>(corner[0])].x() *
                 along[static_cast<std::size_t>(corner[1])].y() * along[static_cast<std::size_t>(corner[2])].z();
     }
@@ -276,8 +268,8 @@ NeighborhoodFinder::NeighborhoodFinder(const Aggregate& aggregate)
 /// sides looks the same, and there it makes no difference.
 bool NeighborhoodFinder::isKept(const Lattice::Node& cell) const
 {
-    for (std::size_t corner = 0; corner < cellCorners.size(); ++corner) {
-        const ObjectIndex object = m_rows.find(sum(cell, cellCorners[corner]));
+    for (std::size_t corner = 0; corner < Lattice::cellCorners.size(); ++corner) {
+        const ObjectIndex object = m_rows.find(Lattice::sum(cell, Lattice::cellCorners[corner]));
         if (object == m_lattice.size() || (m_links[object] & linksInCell[corner]) != linksInCell[corner])
             return false;
     }
@@ -290,7 +282,7 @@ std::vector<Lattice::Node> NeighborhoodFinder::keptAround(const Lattice::Node& c
     for (std::int32_t u = -1; u <= 1; ++u)
         for (std::int32_t v = -1; v <= 1; ++v)
             for (std::int32_t w = -1; w <= 1 && kept.size() < most; ++w)
-                if (const Lattice::Node other = sum(cell, {u, v, w}); isKept(other))
+                if (const Lattice::Node other = Lattice::sum(cell, {u, v, w}); isKept(other))
                     kept.push_back(other);
     return kept;
 }
@@ -307,6 +299,19 @@ SkinOwner NeighborhoodFinder::owner(const Vec3& coordinates) const
     return {m_lattice.nodes[m_rows.nearest(coordinates)], SkinOwner::Kind::object};
 }
 
+OwnedPoints NeighborhoodFinder::ownersOf(std::span<const Vec3> points) const
+{
+    OwnedPoints owned{.owners = std::vector<SkinOwner>(points.size()),
+                      .order = std::vector<std::uint32_t>(points.size())};
+    forEachBlock(points.size(), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point)
+            owned.owners[point] = owner(m_lattice.coordinates(points[point]));
+    });
+    std::iota(owned.order.begin(), owned.order.end(), 0U);
+    std::ranges::stable_sort(owned.order, {}, [&](std::uint32_t point) { return owned.owners[point]; });
+    return owned;
+}
+
 Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
 {
     Neighborhood around{.owner = owner, .cells = {}, .objects = {}, .walks = {}};
@@ -319,17 +324,17 @@ Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
     if (around.cells.empty())
         starts.push_back(owner.node);
     for (const Lattice::Node& cell : around.cells)
-        for (const Lattice::Node& corner : cellCorners)
-            starts.push_back(sum(cell, corner));
+        for (const Lattice::Node& corner : Lattice::cellCorners)
+            starts.push_back(Lattice::sum(cell, corner));
     Eigen::AlignedBox3i box;
     for (const Lattice::Node& start : starts)
         box.extend(Eigen::Vector3i(start[0], start[1], start[2]));
 
     constexpr std::int32_t margin = reach + 1;
-    Block block(difference(owner.node, {margin, margin, margin}));
+    Block block(Lattice::difference(owner.node, {margin, margin, margin}));
     block.takeAround(box, m_lattice, m_rows, m_links);
     for (const Lattice::Node& start : starts)
-        block.start(start, std::uint64_t{1} << walkFrom(difference(start, owner.node)));
+        block.start(start, std::uint64_t{1} << walkFrom(Lattice::difference(start, owner.node)));
     for (std::int32_t steps = 0; steps < reach; ++steps)
         block.step();
     block.tell(around);

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace knead {
@@ -19,6 +20,16 @@ struct SkinOwner {
     Lattice::Node node{}; ///< the lowest corner of the cell, or the object
     Kind kind = Kind::object;
     auto operator<=>(const SkinOwner&) const = default;
+};
+
+/// Points and the material that they belong to. Those of one owner share its neighborhood.
+struct OwnedPoints {
+    std::vector<SkinOwner> owners;    ///< per point
+    std::vector<std::uint32_t> order; ///< the points, by owner
+
+    /// Of a place in that order.
+    const SkinOwner& ownerAt(std::size_t place) const { return owners[order[place]]; }
+    bool isFirstOfOwner(std::size_t place) const { return place == 0 || ownerAt(place) != ownerAt(place - 1); }
 };
 
 /// The objects that may carry the points of an owner.
@@ -49,6 +60,9 @@ public:
 
     /// The cell that contains a point [lattice coordinates], or the nearest object where no kept cell is close.
     SkinOwner owner(const Vec3& coordinates) const;
+
+    /// Those of many points [m]. Uses several threads.
+    OwnedPoints ownersOf(std::span<const Vec3> points) const;
 
     /// Objects at most three steps along connections from the corners of the owner's cells, or from its object.
     Neighborhood gather(const SkinOwner& owner) const;

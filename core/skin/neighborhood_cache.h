@@ -17,8 +17,7 @@ public:
     /// @param mostBytes that are kept; what goes beyond is gathered anew each time
     explicit NeighborhoodCache(const Aggregate& aggregate, std::size_t mostBytes = std::size_t{64} << 20);
 
-    /// See NeighborhoodFinder::owner.
-    SkinOwner owner(const Vec3& coordinates) const { return m_finder.owner(coordinates); }
+    const NeighborhoodFinder& finder() const { return m_finder; }
 
     std::shared_ptr<const Neighborhood> around(const SkinOwner& owner);
 

@@ -16,14 +16,6 @@ namespace {
 // Between pieces in their lattice [spacings]: farther than a skin looks for objects.
 constexpr std::int32_t gapOfPieces = 8;
 
-VectorArray arrayOf(std::span<const Vec3> places)
-{
-    VectorArray array(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        array.set(i, places[i]);
-    return array;
-}
-
 std::vector<Vec3> placesOf(const std::vector<SkinPoint>& points)
 {
     std::vector<Vec3> places;
@@ -60,7 +52,7 @@ struct OldPiece {
                 objects.push_back(i);
                 there.push_back(now.at(i));
             }
-        places = arrayOf(there);
+        places = VectorArray(there);
         aggregate = wholePiece(*body.aggregate, objects);
         for (BrokenConnection one : body.broken)
             if (pieceOf[one.lower] == piece && pieceOf[upperEnd(body.aggregate->lattice, one)] == piece) {
@@ -99,7 +91,7 @@ public:
 
     NewFilling result()
     {
-        m_filling.places = arrayOf(m_places);
+        m_filling.places = VectorArray(m_places);
         findSegments(m_all.lattice);
         const double sum = m_all.filledVolume;
         m_all.repair.doubtfulShare = sum > 0 ? m_all.repair.doubtfulShare / sum : 0;
@@ -143,8 +135,7 @@ private:
             point.place += shift;
             m_all.skin.push_back(point);
         }
-        for (ObjectIndex i = 0; i < filled.size(); ++i)
-            m_places.push_back(filled.lattice.position(i));
+        append(m_places, filled.lattice.positions());
         m_all.meshVolume += filled.meshVolume;
         m_all.filledVolume += filled.filledVolume;
         m_all.cells += filled.cells;
@@ -172,7 +163,7 @@ private:
             crack.lower += begin;
             m_filling.cracks.push_back(crack);
         }
-        std::sort(m_filling.cracks.begin(), m_filling.cracks.end());
+        std::ranges::sort(m_filling.cracks);
     }
 
     /// Where the objects of the first filling go that are of this piece: its carriers as they were fitted, others with its skin.
@@ -182,7 +173,7 @@ private:
         std::vector<ObjectIndex> others;
         std::vector<Vec3> rest;
         for (ObjectIndex i = 0; i < m_first->size(); ++i)
-            if (m_apart.ofFirst[i] == m_piece && !std::binary_search(carriers.begin(), carriers.end(), i)) {
+            if (m_apart.ofFirst[i] == m_piece && !std::ranges::binary_search(carriers, i)) {
                 others.push_back(i);
                 rest.push_back(m_first->lattice.position(i));
             }

@@ -24,13 +24,9 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
     if (fragments.size() < 2 && fragments.front().lipOfVertex.empty())
         return all;
     std::vector<std::uint8_t> lipOfFirst(first.size(), 0);
-    all.ofFirst.resize(first.size());
+    all.ofFirst = fragmentOfObjects(first, fragments);
     const std::vector<std::uint16_t> isBroken = brokenDirections(first, all.parting);
-    for (std::uint32_t f = 0; f < fragments.size(); ++f) {
-        Fragment& fragment = fragments[f];
-        for (const std::vector<ObjectIndex>* list : {&fragment.objects, &fragment.dust})
-            for (const ObjectIndex object : *list)
-                all.ofFirst[object] = f;
+    for (Fragment& fragment : fragments) {
         std::vector<ObjectIndex> carriers = carriersOf(first, fragment, isBroken);
         all.pieces.push_back({.mesh = std::move(fragment.mesh),
                               .carriers = std::move(carriers),
@@ -55,10 +51,8 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
         return all;
     }
     const std::vector<Vec3> then = firstFillingWhenFilled(present);
-    VectorArray places(then.size());
-    for (std::size_t i = 0; i < then.size(); ++i)
-        places.set(i, then[i]);
-    const std::vector<ObjectIndex> nearest = nearestPoints(places, nodesOf(present), present.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(VectorArray(then), nodesOf(present), present.lattice.spacing);
     all.ofPresent = pickedOf(all.ofFirst, nearest);
     for (ObjectIndex i = 0; i < all.ofPresent.size(); ++i) {
         OpenedPiece& piece = all.pieces[all.ofPresent[i]];

@@ -54,15 +54,4 @@ OpenedPieces piecesToShow(const Aggregate& present, const TriangleMesh& opened,
 /// Objects of one piece as an aggregate of their own, whatever cracks are in it.
 Aggregate wholePiece(const Aggregate& aggregate, std::span<const ObjectIndex> objects);
 
-/// Values of some objects.
-template <typename Values>
-auto pickedOf(const Values& values, std::span<const ObjectIndex> objects)
-{
-    std::vector<std::decay_t<decltype(values[0])>> some;
-    some.reserve(objects.size());
-    for (const ObjectIndex object : objects)
-        some.push_back(values[object]);
-    return some;
-}
-
 } // namespace knead

@@ -25,30 +25,6 @@ constexpr int corrections = 1;
 constexpr std::size_t cutsAround = 8;
 constexpr double nearestEnd = 1e-6; // of a cut, by the length of a connection
 
-std::vector<Vec3> restOf(const Aggregate& aggregate)
-{
-    std::vector<Vec3> places(aggregate.size());
-    for (ObjectIndex i = 0; i < places.size(); ++i)
-        places[i] = aggregate.lattice.position(i);
-    return places;
-}
-
-VectorArray arrayOf(std::span<const Vec3> places)
-{
-    VectorArray array(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        array.set(i, places[i]);
-    return array;
-}
-
-std::vector<Vec3> picked(std::span<const Vec3> values, const std::vector<ObjectIndex>& numbers)
-{
-    std::vector<Vec3> some;
-    for (const ObjectIndex number : numbers)
-        some.push_back(values[number]);
-    return some;
-}
-
 std::vector<Vec3> skinned(const Skin& skin, std::span<const Vec3> displacements)
 {
     std::vector<Vec3> places(skin.size());
@@ -75,7 +51,7 @@ std::vector<Vec3> opened(const FormerShape& former, const std::vector<Vec3>& pla
     const double spacing = former.carriers()->lattice.spacing;
     const double small = 1e-3 * spacing;
     std::vector<Vec3> found;
-    for (const ObjectIndex nearest : nearestPoints(arrayOf(then), arrayOf(places), spacing))
+    for (const ObjectIndex nearest : nearestPoints(VectorArray(then), VectorArray(places), spacing))
         found.push_back(rest[nearest]);
     std::vector<Vec3> here(found.size());
     std::array<std::vector<Vec3>, 3> beside;
@@ -104,7 +80,7 @@ std::vector<Vec3> opened(const FormerShape& former, const std::vector<Vec3>& pla
 void cutExactly(const Aggregate& aggregate, const std::vector<Vec3>& cuts, std::vector<BrokenConnection>& broken)
 {
     const Lattice& lattice = aggregate.lattice;
-    const VectorArray points = arrayOf(cuts);
+    const VectorArray points(cuts);
     const PointGrid grid(points, lattice.spacing);
     std::vector<PointGrid::Found> found;
     for (BrokenConnection& one : broken) {
@@ -139,7 +115,8 @@ std::vector<BrokenConnection> stillParted(const Aggregate& present, const std::v
     for (const auto& [first, second] : healed)
         one.join(pieces.ofObject[first], pieces.ofObject[second]);
     const Lattice& lattice = present.former->carriers()->lattice;
-    const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), arrayOf(then), present.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(nodesOf(present), VectorArray(then), present.lattice.spacing);
     const auto pieceOf = [&](ObjectIndex carrier) { return one.find(pieces.ofObject[nearest[carrier]]); };
     std::vector<BrokenConnection> left;
     std::copy_if(parted.begin(), parted.end(), std::back_inserter(left),
@@ -156,7 +133,7 @@ std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<
     if (!present.former) {
         if (healed.empty()) {
             std::vector<BrokenConnection> all(broken.begin(), broken.end());
-            std::sort(all.begin(), all.end());
+            std::ranges::sort(all);
             return all;
         }
         return carriedCracks({present, nodes, broken, healed}, present, nodes);
@@ -168,16 +145,17 @@ std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<
     std::vector<BrokenConnection> all = stillParted(present, then, broken, healed);
     if (broken.empty())
         return all;
-    std::vector<BrokenConnection> carried = carriedCracks({present, nodes, broken, healed}, carriers, arrayOf(then));
+    std::vector<BrokenConnection> carried =
+        carriedCracks({present, nodes, broken, healed}, carriers, VectorArray(then));
     const std::vector<Vec3> cut = placesOfCuts(present, broken);
     if (cut.size() >= cutsAround)
-        cutExactly(carriers, opened(*present.former, cut, restOf(carriers), then), carried);
+        cutExactly(carriers, opened(*present.former, cut, carriers.lattice.positions(), then), carried);
     // What leads from one of the former pieces to another is no concern of the present cracks.
     const Pieces parted = findPieces(carriers, present.former->broken());
     std::copy_if(carried.begin(), carried.end(), std::back_inserter(all), [&](const BrokenConnection& one) {
         return parted.ofObject[one.lower] == parted.ofObject[upperEnd(carriers.lattice, one)];
     });
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 
@@ -191,7 +169,8 @@ std::optional<OpenedState> openedState(const Aggregate& present, std::span<const
     const Aggregate& carriers = *opened.aggregate;
     const Pieces pieces = findPieces(carriers, opened.broken);
     const std::vector<Vec3> then = firstFillingWhenFilled(present);
-    const std::vector<ObjectIndex> nearest = nearestPoints(arrayOf(then), nodesOf(present), present.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(VectorArray(then), nodesOf(present), present.lattice.spacing);
     const std::vector<std::uint16_t> isBroken = brokenDirections(present, broken);
     const std::vector<std::uint16_t> wasBroken = brokenDirections(carriers, opened.broken);
     for (std::uint32_t piece = 0; piece < pieces.count; ++piece) {
@@ -205,11 +184,12 @@ std::optional<OpenedState> openedState(const Aggregate& present, std::span<const
                 now.push_back(i);
         if (now.empty())
             return {};
-        const std::vector<Vec3> wanted = skinned(
-            Skin::ofPlacesWhenFilled(extract(present, now, isBroken), picked(then, own)), picked(displacements, now));
+        const std::vector<Vec3> wanted =
+            skinned(Skin::ofPlacesWhenFilled(extract(present, now, isBroken), pickedOf(then, own)),
+                    pickedOf(displacements, now));
         const Aggregate part = extract(carriers, own, wasBroken);
-        const Skin skin(part, restOf(part));
-        std::vector<Vec3> moved = picked(opened.displacements, own);
+        const Skin skin(part, part.lattice.positions());
+        std::vector<Vec3> moved = pickedOf(opened.displacements, own);
         for (int n = 0; n <= corrections; ++n) {
             const std::vector<Vec3> places = skinned(skin, moved);
             for (std::size_t i = 0; i < own.size(); ++i)

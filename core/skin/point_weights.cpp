@@ -39,7 +39,7 @@ struct Candidates {
         std::vector<double> squares(offsets.size());
         std::transform(offsets.begin(), offsets.end(), squares.begin(),
                        [](const Vec3& offset) { return offset.squaredNorm(); });
-        nearest = std::sqrt(*std::min_element(squares.begin(), squares.end()));
+        nearest = std::sqrt(*std::ranges::min_element(squares));
         most = std::max(widest, nearest + nodesWithin);
         groups.reserve(offsets.size() / Lanes::SizeAtCompileTime + 1);
         Eigen::Index lane = Lanes::SizeAtCompileTime;

@@ -1,6 +1,7 @@
 #include "core/skin/refilled.h"
 
 #include "core/aggregate/fill.h"
+#include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
 #include "core/mechanics/point_spread.h"
 #include "core/skin/opened_pieces.h"
@@ -10,7 +11,6 @@
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -144,17 +144,9 @@ private:
             return;
         }
         Skin ofSurface = Skin::ofPlacesWhenFilled(*m_carriers, m_carrierPlaces);
-        m_fit = std::make_shared<const ShapeFitting>(
-            ShapeFitting{m_known ? m_known->carriers : Skin::ofPlacesWhenFilled(*m_carriers, nodes()), std::move(mesh),
-                         std::move(ofSurface)});
-    }
-
-    std::vector<Vec3> nodes() const
-    {
-        std::vector<Vec3> places(m_carriers->size());
-        for (ObjectIndex i = 0; i < places.size(); ++i)
-            places[i] = m_carriers->lattice.position(i);
-        return places;
+        m_fit = std::make_shared<const ShapeFitting>(ShapeFitting{
+            m_known ? m_known->carriers : Skin::ofPlacesWhenFilled(*m_carriers, m_carriers->lattice.positions()),
+            std::move(mesh), std::move(ofSurface)});
     }
 
     /// From where they were: what has not moved stays as it is, to the bit.
@@ -208,17 +200,11 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
 {
     if (!aggregate.former)
         return first;
-    const std::vector<Vec3> then = firstFillingWhenFilled(aggregate);
-    VectorArray places(then.size());
-    for (std::size_t i = 0; i < then.size(); ++i)
-        places.set(i, then[i]);
-    VectorArray nodes(aggregate.size());
-    for (ObjectIndex i = 0; i < nodes.size(); ++i)
-        nodes.set(i, aggregate.lattice.position(i));
-    const std::vector<ObjectIndex> nearest = nearestPoints(places, nodes, aggregate.lattice.spacing);
+    const std::vector<ObjectIndex> nearest =
+        nearestPoints(VectorArray(firstFillingWhenFilled(aggregate)), nodesOf(aggregate), aggregate.lattice.spacing);
     std::vector<ObjectIndex> found;
     for (ObjectIndex i = 0; i < nearest.size(); ++i)
-        if (std::binary_search(first.begin(), first.end(), nearest[i]))
+        if (std::ranges::binary_search(first, nearest[i]))
             found.push_back(i);
     return found;
 }
@@ -229,21 +215,16 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
         return surface;
     const double edge = refilledEdge * aggregate.lattice.spacing;
     const std::size_t most = mostRefilledTriangles(aggregate);
-    const auto carriedBy = [&](const TriangleMesh& mesh, const SmoothMap& map) {
-        CarriedSurface carried = carriedSurface(mesh, map, edge, most);
-        carried.mesh.vertices = std::move(carried.places);
-        return std::move(carried.mesh);
-    };
     const FormerShape& former = *aggregate.former;
     if (!former.isInPieces())
-        return carriedBy(surface, former);
+        return carriedMesh(surface, former, edge, most);
     const OpenedPieces apart = openedPieces(aggregate, surface, {});
     TriangleMesh all;
-    for (const OpenedPiece& piece : apart.pieces)
-        append(all,
-               carriedBy(piece.mesh,
-                         FormerShape(std::make_shared<const Aggregate>(wholePiece(*former.carriers(), piece.carriers)),
-                                     pickedOf(former.displacements(), piece.carriers))));
+    for (const OpenedPiece& piece : apart.pieces) {
+        const FormerShape shape(std::make_shared<const Aggregate>(wholePiece(*former.carriers(), piece.carriers)),
+                                pickedOf(former.displacements(), piece.carriers));
+        append(all, carriedMesh(piece.mesh, shape, edge, most));
+    }
     return all;
 }
 

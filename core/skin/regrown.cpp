@@ -18,14 +18,6 @@ constexpr double farthestMeeting = 2.5;
 constexpr double leastMeeting = 2.0 / 3;
 constexpr double leastPairs = 0.2;
 
-VectorArray arrayOf(const std::vector<Vec3>& places)
-{
-    VectorArray array(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        array.set(i, places[i]);
-    return array;
-}
-
 /// Where two pieces were one.
 struct Seam {
     std::size_t connections = 0; ///< that were parted
@@ -90,7 +82,7 @@ private:
     {
         const Aggregate& first = *present.former->carriers();
         const std::vector<Vec3> then = firstFillingWhenFilled(present);
-        const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), arrayOf(then), m_spacing);
+        const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), VectorArray(then), m_spacing);
         for (const BrokenConnection& one : present.former->broken()) {
             const ObjectIndex upper = upperEnd(first.lattice, one);
             add(one, nearest[one.lower], nearest[upper], then[one.lower] + displacements[nearest[one.lower]],

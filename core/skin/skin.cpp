@@ -17,87 +17,20 @@ namespace {
 
 constexpr std::size_t pointsPerBlock = 512;
 
-/// Influences of consecutive points of some order.
+/// Influences of consecutive points of OwnedPoints::order.
 struct InfluenceList {
     std::vector<std::uint32_t> count; // per point
     std::vector<Skin::Influence> influences;
-};
 
-void addPoint(InfluenceList& list, const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
-{
-    const std::vector<double> functions = pointWeights(lattice, around, coordinates);
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < functions.size(); ++i) {
-        if (functions[i] == 0)
-            continue;
-        list.influences.push_back({around.objects[i], static_cast<float>(functions[i])});
-        ++count;
-    }
-    list.count.push_back(count);
-}
-
-/// Finds the influences of all points, those with the same owner together: they share its neighborhood.
-class SkinBuilder {
-public:
-    SkinBuilder(const Aggregate& aggregate, std::span<const Vec3> points)
-        : m_lattice(aggregate.lattice)
-        , m_points(points)
-        , m_finder(aggregate)
-        , m_owners(points.size())
-        , m_order(points.size())
-        , m_lists((points.size() + pointsPerBlock - 1) / pointsPerBlock)
+    void add(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
     {
+        const std::vector<double> functions = pointWeights(lattice, around, coordinates);
+        const std::size_t before = influences.size();
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            if (functions[i] != 0)
+                influences.push_back({around.objects[i], static_cast<float>(functions[i])});
+        count.push_back(static_cast<std::uint32_t>(influences.size() - before));
     }
-
-    void build(TaskControl& control)
-    {
-        forEachBlock(m_points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t point = begin; point < end; ++point)
-                m_owners[point] = m_finder.owner(m_lattice.coordinates(m_points[point]));
-        });
-        std::iota(m_order.begin(), m_order.end(), 0U);
-        std::sort(m_order.begin(), m_order.end(), [&](std::uint32_t p, std::uint32_t q) {
-            return m_owners[p] != m_owners[q] ? m_owners[p] < m_owners[q] : p < q;
-        });
-        forEachBlock(m_points.size(), pointsPerBlock, control, "attaching the surface",
-                     [&](std::size_t begin, std::size_t end) { m_lists[begin / pointsPerBlock] = attach(begin, end); });
-    }
-
-    /// Calls visit(point, influences) for every point.
-    template <typename Visit>
-    void forEachPoint(Visit&& visit) const
-    {
-        for (std::size_t list = 0; list < m_lists.size(); ++list) {
-            std::size_t first = 0;
-            for (std::size_t i = 0; i < m_lists[list].count.size(); ++i) {
-                const std::size_t count = m_lists[list].count[i];
-                visit(m_order[list * pointsPerBlock + i],
-                      std::span<const Skin::Influence>(m_lists[list].influences.data() + first, count));
-                first += count;
-            }
-        }
-    }
-
-private:
-    InfluenceList attach(std::size_t begin, std::size_t end) const
-    {
-        InfluenceList list;
-        Neighborhood around;
-        for (std::size_t i = begin; i < end; ++i) {
-            const SkinOwner& owner = m_owners[m_order[i]];
-            if (i == begin || owner != m_owners[m_order[i - 1]])
-                around = m_finder.gather(owner);
-            addPoint(list, m_lattice, around, m_lattice.coordinates(m_points[m_order[i]]));
-        }
-        return list;
-    }
-
-    const Lattice& m_lattice;
-    std::span<const Vec3> m_points;
-    NeighborhoodFinder m_finder;
-    std::vector<SkinOwner> m_owners;
-    std::vector<std::uint32_t> m_order; // points, by owner
-    std::vector<InfluenceList> m_lists; // per block of that order
 };
 
 } // namespace
@@ -136,17 +69,31 @@ void Skin::attach(const Aggregate& aggregate, TaskControl& control)
 {
     if (aggregate.size() == 0)
         throw std::invalid_argument("Skin: the aggregate has no objects");
-    m_first.assign(m_points.size() + 1, 0);
-    SkinBuilder builder(aggregate, m_points);
-    builder.build(control);
-    builder.forEachPoint([&](std::size_t point, std::span<const Influence> influences) {
-        m_first[point + 1] = static_cast<std::uint32_t>(influences.size());
+    const Lattice& lattice = aggregate.lattice;
+    const NeighborhoodFinder finder(aggregate);
+    const OwnedPoints owned = finder.ownersOf(m_points);
+    std::vector<InfluenceList> lists((size() + pointsPerBlock - 1) / pointsPerBlock);
+    forEachBlock(size(), pointsPerBlock, control, "attaching the surface", [&](std::size_t begin, std::size_t end) {
+        Neighborhood around;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i == begin || owned.isFirstOfOwner(i))
+                around = finder.gather(owned.ownerAt(i));
+            lists[begin / pointsPerBlock].add(lattice, around, lattice.coordinates(m_points[owned.order[i]]));
+        }
     });
+    m_first.assign(size() + 1, 0);
+    for (std::size_t i = 0; i < size(); ++i)
+        m_first[owned.order[i] + 1] = lists[i / pointsPerBlock].count[i % pointsPerBlock];
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_influences.resize(m_first.back());
-    builder.forEachPoint([&](std::size_t point, std::span<const Influence> influences) {
-        std::copy(influences.begin(), influences.end(), m_influences.begin() + m_first[point]);
-    });
+    std::vector<Influence>::const_iterator next;
+    for (std::size_t i = 0; i < size(); ++i) {
+        const InfluenceList& list = lists[i / pointsPerBlock];
+        if (i % pointsPerBlock == 0)
+            next = list.influences.begin();
+        std::copy_n(next, list.count[i % pointsPerBlock], m_influences.begin() + m_first[owned.order[i]]);
+        next += list.count[i % pointsPerBlock];
+    }
 }
 
 void Skin::evaluate(std::span<const Vec3> displacement, std::span<Vec3> places) const

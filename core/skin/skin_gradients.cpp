@@ -2,13 +2,11 @@
 
 #include "core/skin/neighborhood.h"
 #include "core/skin/point_weights.h"
-#include "core/task/parallel.h"
 #include "core/task/parallel_progress.h"
 
-#include <algorithm>
 #include <array>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -16,16 +14,7 @@ namespace {
 
 constexpr std::size_t pointsPerBlock = 512;
 
-/// Points of one owner come one after the other, since they share its neighborhood.
-std::vector<std::uint32_t> orderByOwner(const std::vector<SkinOwner>& owners)
-{
-    std::vector<std::uint32_t> order(owners.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return owners[a] < owners[b]; });
-    return order;
-}
-
-/// What consecutive points of that order get; carriers are objects still.
+/// What consecutive points of OwnedPoints::order get; carriers are objects still.
 struct PointList {
     std::vector<std::uint32_t> count;
     std::vector<float> trust;
@@ -73,23 +62,18 @@ SkinGradients::SkinGradients(const Aggregate& aggregate, std::span<const Vec3> p
         throw std::invalid_argument("SkinGradients: the aggregate has no objects");
     const Lattice& lattice = aggregate.lattice;
     const NeighborhoodFinder finder(aggregate);
-    std::vector<SkinOwner> owners(points.size());
-    forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point)
-            owners[point] = finder.owner(lattice.coordinates(points[point]));
-    });
-    m_order = orderByOwner(owners);
+    OwnedPoints owned = finder.ownersOf(points);
     std::vector<PointList> lists((points.size() + pointsPerBlock - 1) / pointsPerBlock);
-    forEachBlock(points.size(), pointsPerBlock, control, "attaching the surface",
-                 [&](std::size_t begin, std::size_t end) {
-                     Neighborhood around;
-                     for (std::size_t i = begin; i < end; ++i) {
-                         const SkinOwner& owner = owners[m_order[i]];
-                         if (i == begin || owner != owners[m_order[i - 1]])
-                             around = finder.gather(owner);
-                         lists[begin / pointsPerBlock].add(lattice, around, lattice.coordinates(points[m_order[i]]));
-                     }
-                 });
+    forEachBlock(
+        points.size(), pointsPerBlock, control, "attaching the surface", [&](std::size_t begin, std::size_t end) {
+            Neighborhood around;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (i == begin || owned.isFirstOfOwner(i))
+                    around = finder.gather(owned.ownerAt(i));
+                lists[begin / pointsPerBlock].add(lattice, around, lattice.coordinates(points[owned.order[i]]));
+            }
+        });
+    m_order = std::move(owned.order);
     std::size_t all = 0;
     for (const PointList& list : lists)
         all += list.influences.size();

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -35,28 +34,19 @@ SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements, st
 
 SkinMap::~SkinMap() = default;
 
-/// Points with the same owner come one after the other, since they share its neighborhood.
 void SkinMap::evaluate(std::span<const Vec3> opened, std::span<Vec3> places) const
 {
     std::vector<Vec3> carried;
     if (m_aggregate.former)
         carried = placesWhenFilled(m_aggregate, opened);
     const std::span<const Vec3> points = m_aggregate.former ? carried : opened;
-    const Lattice& lattice = m_aggregate.lattice;
-    std::vector<SkinOwner> owners(points.size());
+    const OwnedPoints owned = m_neighborhoods->finder().ownersOf(points);
     forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point)
-            owners[point] = m_neighborhoods->owner(lattice.coordinates(points[point]));
-    });
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return owners[a] < owners[b]; });
-    forEachBlock(order.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
         std::shared_ptr<const Neighborhood> around;
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t point = order[i];
-            if (i == begin || owners[point] != owners[order[i - 1]])
-                around = m_neighborhoods->around(owners[point]);
+            if (i == begin || owned.isFirstOfOwner(i))
+                around = m_neighborhoods->around(owned.ownerAt(i));
+            const std::uint32_t point = owned.order[i];
             places[point] = place(points[point], *around);
         }
     });

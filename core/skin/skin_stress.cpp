@@ -128,7 +128,7 @@ private:
     bool isBeside(std::size_t point) const
     {
         const std::span<const SkinGradients::Influence> around = m_gradients.influences(point);
-        return !m_carriers.hasBroken.empty() && std::any_of(around.begin(), around.end(), [&](const auto& influence) {
+        return !m_carriers.hasBroken.empty() && std::ranges::any_of(around, [&](const auto& influence) {
             return m_carriers.hasBroken[influence.carrier] != 0;
         });
     }
@@ -139,9 +139,8 @@ private:
         if (m_body.materials().isUniform())
             return 0;
         const std::span<const SkinGradients::Influence> around = m_gradients.influences(point);
-        const auto nearest = std::max_element(around.begin(), around.end(), [](const auto& a, const auto& b) {
-            return std::abs(a.value) < std::abs(b.value);
-        });
+        const auto nearest = std::ranges::max_element(
+            around, [](const auto& a, const auto& b) { return std::abs(a.value) < std::abs(b.value); });
         return m_gradients.carriers()[nearest->carrier];
     }
 
@@ -171,12 +170,11 @@ private:
         if (which.empty())
             return;
         std::vector<ObjectIndex> sorted(which.begin(), which.end());
-        std::sort(sorted.begin(), sorted.end());
+        std::ranges::sort(sorted);
         const std::vector<ObjectIndex>& objects = m_gradients.carriers();
         marks.resize(objects.size());
-        std::transform(objects.begin(), objects.end(), marks.begin(), [&](ObjectIndex object) {
-            return std::binary_search(sorted.begin(), sorted.end(), object) ? 1 : 0;
-        });
+        std::transform(objects.begin(), objects.end(), marks.begin(),
+                       [&](ObjectIndex object) { return std::ranges::binary_search(sorted, object) ? 1 : 0; });
     }
 
     void findBroken()

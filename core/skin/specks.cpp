@@ -3,7 +3,6 @@
 #include "core/geometry/disjoint_sets.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -93,7 +92,7 @@ private:
                 corners.push_back(keyOf(t.back, point));
                 corners.push_back(keyOf(t.front, point));
             }
-        std::sort(corners.begin(), corners.end());
+        std::ranges::sort(corners);
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
         return corners;
     }
@@ -130,8 +129,8 @@ private:
                 m_shells[i].isSpeck = true;
                 specks.push_back(i);
             }
-        std::stable_sort(specks.begin(), specks.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return m_shells[a].volume < m_shells[b].volume; });
+        std::ranges::stable_sort(
+            specks, [&](std::uint32_t a, std::uint32_t b) { return m_shells[a].volume < m_shells[b].volume; });
         return specks;
     }
 

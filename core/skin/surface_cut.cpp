@@ -9,7 +9,6 @@
 #include "core/skin/specks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -127,7 +126,7 @@ private:
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             points.push_back(crossingPoint(i));
         if (side.isReversed)
-            std::reverse(points.begin(), points.end());
+            std::ranges::reverse(points);
         return points;
     }
 
@@ -243,8 +242,8 @@ private:
     {
         const std::size_t count = m_cracks.triangles.size();
         std::vector<Crossings::Segment> segments = m_crossings.segments;
-        std::stable_sort(segments.begin(), segments.end(),
-                         [](const auto& a, const auto& b) { return a.crackTriangle < b.crackTriangle; });
+        std::ranges::stable_sort(segments,
+                                 [](const auto& a, const auto& b) { return a.crackTriangle < b.crackTriangle; });
         const std::vector<std::size_t> begins = stretchBegins(true, m_cracks.edges.size());
         FaceSet faces(count, divideAll(true, segments), begins.back());
         joinOverEdges(faces, count, begins, [&](std::size_t t, std::size_t side) { return crackSide(t, side); });

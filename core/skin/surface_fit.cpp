@@ -23,8 +23,8 @@ void fitToSurface(const Skin& skin, std::span<const Vec3> wanted, std::vector<Ve
     std::vector<double> weight(displacements.size());
     for (int n = 0; n < corrections; ++n) {
         skin.evaluate(displacements, places);
-        std::fill(change.begin(), change.end(), Vec3::Zero());
-        std::fill(weight.begin(), weight.end(), 0.0);
+        std::ranges::fill(change, Vec3::Zero());
+        std::ranges::fill(weight, 0.0);
         for (std::size_t p = 0; p < skin.size(); ++p) {
             const Vec3 lack = wanted[p] - places[p];
             double sum = 0;

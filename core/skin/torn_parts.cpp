@@ -63,17 +63,6 @@ void remarkOnDust(std::size_t objects, bool isUncut, std::vector<Message>& remar
                 .with(objects));
 }
 
-/// Which fragment each object belongs to.
-std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments)
-{
-    std::vector<std::uint32_t> of(aggregate.size(), 0);
-    for (std::uint32_t f = 0; f < fragments.size(); ++f)
-        for (const std::vector<ObjectIndex>* objects : {&fragments[f].objects, &fragments[f].dust})
-            for (const ObjectIndex object : *objects)
-                of[object] = f;
-    return of;
-}
-
 /// Of cracks that end in a piece: how many of its connections are broken, where that is more than a few.
 void remarkOnCracks(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf, std::uint32_t fragment,
                     std::vector<Message>& remarks)
@@ -123,7 +112,7 @@ std::vector<Vec3> placesWithin(const Aggregate& aggregate, const std::vector<Obj
                 clear = std::min(clear, (aggregate.lattice.position(object) - point).norm());
         rank.emplace_back(-clear, object);
     }
-    std::sort(rank.begin(), rank.end());
+    std::ranges::sort(rank);
     std::vector<Vec3> places;
     for (std::size_t i = 0; i < std::min(wanted, rank.size()); ++i)
         places.push_back(aggregate.lattice.position(rank[i].second));
@@ -186,25 +175,22 @@ std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_
                                                 pickedOf(present.former->displacements(), from.carriers));
         const auto aggregate = std::make_shared<const Aggregate>(std::move(own));
         std::vector<Vec3> displacements = pickedOf(whole.displacements, from.present);
+        PartToExport& piece = pieces.emplace_back();
         if (!cuts[i]) {
-            CarriedSurface carried =
-                carriedSurface(from.mesh, SkinMap(*aggregate, std::move(displacements)), spacing, mostTriangles);
-            carried.mesh.vertices = std::move(carried.places);
-            PartToExport piece{.part = pieceOf(whole.part, std::move(carried.mesh), i + 1)};
+            const SkinMap map(*aggregate, std::move(displacements));
+            piece.part = pieceOf(whole.part, carriedMesh(from.mesh, map, spacing, mostTriangles), i + 1);
             piece.reason = tornReason(apart.pieces.size());
-            pieces.push_back(std::move(piece));
         } else {
-            PartToExport piece{.part = pieceOf(whole.part, std::move(from.mesh), i + 1)};
+            piece.part = pieceOf(whole.part, std::move(from.mesh), i + 1);
             piece.part.exact = whole.part.exact;
             piece.aggregate = aggregate;
             piece.displacements = std::move(displacements);
             piece.cut = cuts[i];
-            pieces.push_back(std::move(piece));
         }
-        pieces.back().density = whole.density;
-        remarkOnDust(from.dust, false, pieces.back().remarks);
+        piece.density = whole.density;
+        remarkOnDust(from.dust, false, piece.remarks);
         if (whole.relaxed)
-            pieces.back().remarks.push_back(Message("Export", "it was filled anew before: its fields are left out."));
+            piece.remarks.push_back(Message("Export", "it was filled anew before: its fields are left out."));
     }
     return pieces;
 }
@@ -237,14 +223,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
         if (auto pieces = piecesOfRefilled(whole, mostTriangles, keepsFaces, control); !pieces.empty())
             return pieces;
     const double spacing = whole.aggregate->lattice.spacing;
-    TriangleMesh skin;
-    if (former) {
-        CarriedSurface surface = carriedSurface(whole.part.mesh, *former, spacing, mostTriangles);
-        skin = std::move(surface.mesh);
-        skin.vertices = std::move(surface.places);
-    } else {
-        skin = refine(whole.part.mesh, spacing, mostTriangles);
-    }
+    const TriangleMesh skin = former ? carriedMesh(whole.part.mesh, *former, spacing, mostTriangles)
+                                     : refine(whole.part.mesh, spacing, mostTriangles);
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
         if (auto opened = isCracked && !fragments.front().isUncut ? gaping(whole, mostTriangles, keepsFaces, control)
@@ -271,27 +251,23 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     const std::vector<std::uint16_t> isBroken = brokenDirections(*whole.aggregate, *whole.broken);
     std::vector<PartToExport> pieces;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
+        PartToExport& piece = pieces.emplace_back();
         if (cuts[i] && !now[i].isRigid) {
-            PartToExport piece = smoothPiece(whole, fragments[i], i + 1, isBroken);
+            piece = smoothPiece(whole, fragments[i], i + 1, isBroken);
             piece.cut = cuts[i];
-            piece.density = whole.density;
-            remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
-            remarkOnCracks(whole, fragmentOf, static_cast<std::uint32_t>(i), piece.remarks);
-            pieces.push_back(std::move(piece));
-            continue;
+        } else {
+            fragments[i].mesh.vertices = std::move(now[i].places);
+            piece.part = pieceOf(whole.part, std::move(fragments[i].mesh), i + 1);
+            if (whole.relaxed)
+                piece.fields = std::make_shared<const SkinFields>(std::move(now[i].fields));
+            piece.reason = tornReason(fragments.size());
         }
-        fragments[i].mesh.vertices = std::move(now[i].places);
-        PartToExport piece{.part = pieceOf(whole.part, std::move(fragments[i].mesh), i + 1)};
         piece.density = whole.density;
-        if (whole.relaxed)
-            piece.fields = std::make_shared<const SkinFields>(std::move(now[i].fields));
         if (now[i].isRigid)
             piece.remarks.push_back(Message("Export", "too few of its objects hang together to say how it is deformed: "
                                                       "it is written in its shape at rest, moved as they have."));
         remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
         remarkOnCracks(whole, fragmentOf, static_cast<std::uint32_t>(i), piece.remarks);
-        piece.reason = tornReason(fragments.size());
-        pieces.push_back(std::move(piece));
     }
     return pieces;
 }
@@ -322,10 +298,8 @@ ExportJob withPieces(ExportJob job, std::size_t mostTriangles, TaskControl& cont
     ExportJob result;
     result.options = job.options;
     std::vector<std::pair<std::size_t, std::size_t>> numbers;
-    const auto count = static_cast<double>(job.parts.size());
     for (PartToExport& part : job.parts) {
-        const auto done = static_cast<double>(numbers.size());
-        TaskPortion portion(control, done / count, (done + 1) / count);
+        TaskPortion portion = TaskPortion::ofItem(control, numbers.size(), job.parts.size());
         std::vector<PartToExport> pieces = piecesOf(part, mostTriangles, keepsFaces, portion);
         if (pieces.empty())
             pieces.push_back(std::move(part));

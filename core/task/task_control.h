@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string_view>
 
@@ -38,6 +39,14 @@ public:
         , m_begin(begin)
         , m_end(end)
     {
+    }
+
+    /// Of so many items that take about as long, the part of one of them, numbered from 0.
+    static TaskPortion ofItem(TaskControl& parent, std::size_t item, std::size_t count)
+    {
+        const auto done = static_cast<double>(item);
+        const auto all = static_cast<double>(count);
+        return {parent, done / all, (done + 1) / all};
     }
 
     void report(double fraction, std::string_view stage) override

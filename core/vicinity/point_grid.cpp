@@ -66,7 +66,7 @@ void PointGrid::nearest(const Vec3& place, std::size_t most, std::vector<Found>&
         addRing(center, ring, place, found);
         const double sure = ring * m_cell; // what was not looked at is farther than this
         const auto isWithin = [&](const Found& one) { return one.squared <= sure * sure; };
-        isSure = static_cast<std::size_t>(std::count_if(found.begin(), found.end(), isWithin)) >= most;
+        isSure = static_cast<std::size_t>(std::ranges::count_if(found, isWithin)) >= most;
     }
     if (!isSure && within > farthestRing * m_cell) { // far from all of them
         found.clear();
@@ -74,7 +74,7 @@ void PointGrid::nearest(const Vec3& place, std::size_t most, std::vector<Found>&
             found.push_back({(m_points.at(i) - place).squaredNorm(), i});
     }
     std::erase_if(found, [&](const Found& one) { return one.squared >= within * within; });
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     found.resize(std::min(most, found.size()));
 }
 
