@@ -1,5 +1,7 @@
 #include "ui/exporting/export_feature.h"
 
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/format_filters.h"
@@ -21,13 +23,19 @@
 
 namespace knead {
 
-ExportFeature::ExportFeature(const Workbench& bench, const QAction& action)
+ExportFeature::ExportFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_action(makeAction(bench.window, {.name = "export",
+                                         .text = QT_TRANSLATE_NOOP("Actions", "&Export..."),
+                                         .icon = "export",
+                                         .keys = "Ctrl+E",
+                                         .tip = QT_TRANSLATE_NOOP("Actions", "Write the deformed part to a file")}))
     , m_panel(new ExportPanel(&bench.window))
 {
     bench.docks.add("exportDock", tr("Export report"), m_panel);
-    connect(&action, &QAction::triggered, this, &ExportFeature::askForExport);
+    bench.availability.needBodies({m_action});
+    connect(m_action, &QAction::triggered, this, &ExportFeature::askForExport);
 }
 
 void ExportFeature::askForExport()

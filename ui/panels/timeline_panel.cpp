@@ -1,5 +1,6 @@
 #include "ui/panels/timeline_panel.h"
 
+#include "ui/commands/availability.h"
 #include "ui/document/entry_names.h"
 #include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
@@ -77,7 +78,6 @@ void TimelinePanel::makeButtons()
         m_rate->addItem(tr("%1x").arg(rate));
     m_rate->setCurrentIndex(usualRate);
     m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
-    m_rate->setProperty("whyDisabled", whyNoFilm());
     m_rate->setFocusPolicy(Qt::ClickFocus);
     m_state = new QLabel(this);
     m_state->setObjectName("filmState");
@@ -104,7 +104,7 @@ QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, co
     auto* action = new QAction(icon(picture), text, this);
     action->setObjectName(name);
     action->setToolTip(tip);
-    action->setProperty("whyDisabled", whyNoFilm());
+    Availability::setWhyNot(*action, whyNoFilm());
     addAction(action);
     auto* button = new QToolButton(this);
     button->setObjectName(name);
@@ -262,7 +262,7 @@ void TimelinePanel::branchHere()
 
 QMenu* TimelinePanel::newRateMenu(QWidget* window) const
 {
-    return menuOf(m_rate, tr("Speed of the film"), window);
+    return menuOf(m_rate, tr("Speed of the film"), window, whyNoFilm());
 }
 
 void TimelinePanel::stopLooking()

@@ -1,6 +1,8 @@
 #include "ui/recording/recording_feature.h"
 
 #include "core/message/message.h"
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/frame/notices.h"
@@ -18,12 +20,27 @@
 
 namespace knead {
 
-RecordingFeature::RecordingFeature(const Workbench& bench, const QAction& video, const QAction& pictures)
+RecordingFeature::Actions::Actions(QWidget& window)
+    : video(makeAction(
+          window, {.name = "recordVideo",
+                   .text = QT_TRANSLATE_NOOP("Actions", "Record &video..."),
+                   .icon = "record",
+                   .tip = QT_TRANSLATE_NOOP("Actions", "Make a video of what was simulated, as the view shows it")}))
+    , pictures(makeAction(window,
+                          {.name = "recordPictures",
+                           .text = QT_TRANSLATE_NOOP("Actions", "Record p&ictures..."),
+                           .tip = QT_TRANSLATE_NOOP("Actions", "Write what was simulated as a sequence of pictures")}))
+{
+}
+
+RecordingFeature::RecordingFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_actions(bench.window)
 {
-    connect(&video, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
-    connect(&pictures, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::pictures); });
+    bench.availability.needBodies({m_actions.video, m_actions.pictures});
+    connect(m_actions.video, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
+    connect(m_actions.pictures, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::pictures); });
 }
 
 void RecordingFeature::askForRecording(Recording::Kind kind)
