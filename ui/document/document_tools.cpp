@@ -138,6 +138,11 @@ void Document::placeTool(ToolId id, int axis, double coordinate)
         return;
     Pose pose = m_toolRequests.asked(*found).pose;
     pose.position[axis] = coordinate;
+    bringTool(id, pose);
+}
+
+void Document::bringTool(ToolId id, const Pose& pose)
+{
     if (m_isPlaying)
         post(SetManipulatorMotion{id, GoTo{pose}});
     else

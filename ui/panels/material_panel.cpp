@@ -3,6 +3,7 @@
 #include "core/aggregate/spacing_choice.h"
 #include "core/session/material_facts.h"
 #include "ui/materials/material_store.h"
+#include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
@@ -36,12 +37,6 @@ const std::vector<Group>& groups()
         {"Surface", {&Material::friction, &Material::adhesion, &Material::healingTime}},
     };
     return all;
-}
-
-const MaterialField& fieldOf(double Material::*value)
-{
-    const auto& fields = materialFields();
-    return *std::find_if(fields.begin(), fields.end(), [value](const MaterialField& f) { return f.value == value; });
 }
 
 } // namespace

@@ -40,7 +40,23 @@ void setPoints(vtkPoints* points, std::span<const Vec3> places)
 
 } // namespace
 
-struct ConnectionActor::Parts {
+/// What both draw with: strokes or dots at points. It is in the renderer as long as it lives.
+struct StrokesOfPoints {
+    explicit StrokesOfPoints(vtkRenderer* owner)
+        : renderer(owner)
+    {
+        points->SetDataTypeToFloat();
+        data->SetPoints(points);
+        mapper->SetInputData(data);
+        actor->SetMapper(mapper);
+        actor->GetProperty()->LightingOff();
+        renderer->AddActor(actor);
+    }
+
+    ~StrokesOfPoints() { renderer->RemoveActor(actor); }
+    StrokesOfPoints(const StrokesOfPoints&) = delete;
+    StrokesOfPoints& operator=(const StrokesOfPoints&) = delete;
+
     vtkSmartPointer<vtkRenderer> renderer;
     vtkNew<vtkPoints> points;
     vtkNew<vtkPolyData> data;
@@ -49,23 +65,13 @@ struct ConnectionActor::Parts {
 };
 
 ConnectionActor::ConnectionActor(vtkRenderer* renderer, const Color& color)
-    : m_parts(std::make_unique<Parts>())
+    : m_parts(std::make_unique<StrokesOfPoints>(renderer))
 {
-    m_parts->renderer = renderer;
-    m_parts->points->SetDataTypeToFloat();
-    m_parts->data->SetPoints(m_parts->points);
-    m_parts->mapper->SetInputData(m_parts->data);
-    m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
-    m_parts->actor->GetProperty()->LightingOff();
     m_parts->actor->setLineWidth(1.2F);
-    renderer->AddActor(m_parts->actor);
 }
 
-ConnectionActor::~ConnectionActor()
-{
-    m_parts->renderer->RemoveActor(m_parts->actor);
-}
+ConnectionActor::~ConnectionActor() = default;
 
 void ConnectionActor::setConnections(const Aggregate& aggregate, std::span<const BrokenConnection> broken,
                                      std::span<const ObjectIndex> chosen)
@@ -99,33 +105,15 @@ void ConnectionActor::setClipping(vtkPlaneCollection* planes)
     m_parts->mapper->SetClippingPlanes(planes);
 }
 
-struct BreakActor::Parts {
-    vtkSmartPointer<vtkRenderer> renderer;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<StrokeActor> actor;
-};
-
 BreakActor::BreakActor(vtkRenderer* renderer)
-    : m_parts(std::make_unique<Parts>())
+    : m_parts(std::make_unique<StrokesOfPoints>(renderer))
 {
-    m_parts->renderer = renderer;
-    m_parts->points->SetDataTypeToFloat();
-    m_parts->data->SetPoints(m_parts->points);
-    m_parts->mapper->SetInputData(m_parts->data);
     m_parts->mapper->SetResolveCoincidentTopologyToPolygonOffset();
     m_parts->mapper->SetRelativeCoincidentTopologyPointOffsetParameter(beforeAll);
-    m_parts->actor->SetMapper(m_parts->mapper);
-    m_parts->actor->GetProperty()->LightingOff();
     m_parts->actor->GetProperty()->RenderPointsAsSpheresOn();
-    renderer->AddActor(m_parts->actor);
 }
 
-BreakActor::~BreakActor()
-{
-    m_parts->renderer->RemoveActor(m_parts->actor);
-}
+BreakActor::~BreakActor() = default;
 
 void BreakActor::show(const std::vector<Vec3>& marks)
 {
