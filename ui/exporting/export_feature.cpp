@@ -58,15 +58,13 @@ void ExportFeature::askForExport()
 
 void ExportFeature::askForPlace(const ExportRequest& request, const FileFormat& format)
 {
-    const QString proposed =
-        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
     const QString ending = QString::fromStdString(format.endings.front());
     const FileQuestion question{.name = "exportFileDialog",
                                 .title = request.onePerPart ? tr("Export a file for each part")
                                                             : tr("Export the deformed parts"),
                                 .filters = {filterOf(format)},
                                 .key = "exportFolder",
-                                .file = proposed + "-deformed." + ending};
+                                .file = m_bench.nameForFile("-deformed." + ending)};
     askForFileToWrite(m_bench.window, question, [this, request](const QString& path) { exportTo(path, request); });
 }
 

@@ -3,6 +3,7 @@
 #include "ui/frame/notices.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace knead {
 
@@ -13,6 +14,11 @@ bool Workbench::isBusy() const
             QCoreApplication::translate("Workbench", "%1 is still going on: wait for it, or cancel it with Esc.")
                 .arg(tasks.title()));
     return tasks.isRunning();
+}
+
+QString Workbench::nameForFile(const QString& rest) const
+{
+    return QFileInfo(QString::fromStdString(document.content().model->file)).completeBaseName() + rest;
 }
 
 } // namespace knead

@@ -28,6 +28,9 @@ struct Workbench {
 
     /// Whether something is done in the background; then says with what.
     bool isBusy() const;
+
+    /// A name for a file that is written of the open part. @param rest "-forces.csv"
+    QString nameForFile(const QString& rest) const;
 };
 
 } // namespace knead

@@ -10,7 +10,6 @@
 #include <QPointer>
 
 class QAction;
-class QActionGroup;
 class QMenu;
 class QTimer;
 

@@ -8,7 +8,6 @@
 
 class QLabel;
 class QProgressBar;
-class QToolButton;
 
 namespace knead {
 

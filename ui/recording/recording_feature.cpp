@@ -66,13 +66,11 @@ void RecordingFeature::askForRecording(Recording::Kind kind)
 void RecordingFeature::askForPlace(const Recording& recording)
 {
     const bool isVideo = recording.kind == Recording::Kind::video;
-    const QString proposed =
-        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
     const FileQuestion question{.name = "recordFileDialog",
                                 .title = isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
                                 .filters = {isVideo ? tr("Video (*.ogv)") : tr("Folder (*)")},
                                 .key = "record/folder",
-                                .file = proposed + (isVideo ? ".ogv" : "-pictures")};
+                                .file = m_bench.nameForFile(isVideo ? ".ogv" : "-pictures")};
     askForFileToWrite(m_bench.window, question, [this, recording](const QString& path) { record(path, recording); });
 }
 
