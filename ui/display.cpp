@@ -91,20 +91,16 @@ void Display::makeActions()
 void Display::makeEdges()
 {
     QMainWindow& window = m_bench.window;
-    m_objects = makeSwitch(window, {.name = "objects",
-                                    .text = QT_TRANSLATE_NOOP("Actions", "Objects"),
-                                    .icon = "objects",
-                                    .keys = "O",
-                                    .tip = QT_TRANSLATE_NOOP("Actions", "Show the objects the material is made of")});
-    m_allObjects = makeSwitch(
-        window, {.name = "allObjects", .text = QT_TRANSLATE_NOOP("Actions", "Inner objects too"), .keys = "Shift+O"});
-    m_edges = makeSwitch(window, {.name = "edges", .text = QT_TRANSLATE_NOOP("Actions", "Edges"), .keys = "E"}, true);
+    m_objects = makeSwitch(window, {"objects", QT_TRANSLATE_NOOP("Actions", "Objects"), "objects", "O",
+                                    QT_TRANSLATE_NOOP("Actions", "Show the objects the material is made of")});
+    m_allObjects =
+        makeSwitch(window, {"allObjects", QT_TRANSLATE_NOOP("Actions", "Inner objects too"), nullptr, "Shift+O"});
+    m_edges = makeSwitch(window, {"edges", QT_TRANSLATE_NOOP("Actions", "Edges"), nullptr, "E"}, true);
     m_openEdges = makeSwitch(window,
-                             {.name = "openEdges",
-                              .text = QT_TRANSLATE_NOOP("Actions", "Open edges"),
-                              .tip = QT_TRANSLATE_NOOP("Actions", "Show where surfaces that are not closed end")},
+                             {"openEdges", QT_TRANSLATE_NOOP("Actions", "Open edges"), nullptr, "",
+                              QT_TRANSLATE_NOOP("Actions", "Show where surfaces that are not closed end")},
                              true);
-    m_grid = makeSwitch(window, {.name = "grid", .text = QT_TRANSLATE_NOOP("Actions", "Grid")}, true);
+    m_grid = makeSwitch(window, {"grid", QT_TRANSLATE_NOOP("Actions", "Grid")}, true);
 }
 
 void Display::connectActions()

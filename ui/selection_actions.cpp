@@ -92,7 +92,7 @@ SelectionActions::SelectionActions(QWidget& window)
     , showAll(makeFor(window, {"showAll", QT_TR_NOOP("Show all"), "eye", "Ctrl+H", QT_TR_NOOP("Hide no part")}))
     , search(makeFor(window, {"searchModel", QT_TR_NOOP("Search the model"), "search", "Ctrl+F",
                               QT_TR_NOOP("Look for parts, tools, fixtures and selections by their names")}))
-    , hide(makeAction(window, {.name = "hide", .text = QT_TRANSLATE_NOOP("Actions", "Hide or show body"), .keys = "H"}))
+    , hide(makeAction(window, {"hide", QT_TRANSLATE_NOOP("Actions", "Hide or show body"), nullptr, "H"}))
 {
     // Other panels have names to change as well.
     rename->setShortcutContext(Qt::WidgetWithChildrenShortcut);

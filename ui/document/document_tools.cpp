@@ -15,8 +15,8 @@ namespace knead {
 
 namespace {
 
-constexpr double blockShare = 0.25;  // size of a new block, in sizes of the part
-constexpr double crossingTime = 1.5; // a tool crosses the part in this time [s]
+constexpr double blockShare = 0.25; // size of a new block, in sizes of the part
+constexpr double timeToCross = 1.5; // a tool crosses the part in this time [s]
 // A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
 constexpr double stallStrain = 0.25;
 // And a new knife by this times what its whole edge takes in the toughest material.
@@ -43,7 +43,7 @@ void Document::addTool(const ToolKindLook& look)
     if (lies) // across, and goes down
         tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
     tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
-    tool.speedLimit = size() / crossingTime;
+    tool.speedLimit = size() / timeToCross;
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)
         stiffest = std::max(stiffest, material.youngsModulus);

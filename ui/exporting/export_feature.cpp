@@ -26,11 +26,8 @@ namespace knead {
 ExportFeature::ExportFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_action(makeAction(bench.window, {.name = "export",
-                                         .text = QT_TRANSLATE_NOOP("Actions", "&Export..."),
-                                         .icon = "export",
-                                         .keys = "Ctrl+E",
-                                         .tip = QT_TRANSLATE_NOOP("Actions", "Write the deformed part to a file")}))
+    , m_action(makeAction(bench.window, {"export", QT_TRANSLATE_NOOP("Actions", "&Export..."), "export", "Ctrl+E",
+                                         QT_TRANSLATE_NOOP("Actions", "Write the deformed part to a file")}))
     , m_panel(new ExportPanel(&bench.window))
 {
     bench.docks.add("exportDock", tr("Export report"), m_panel);

@@ -190,7 +190,6 @@ void MainWindow::makeFeatures()
     connect(&m_center->home(), &HomePage::openClicked, this, [this] { m_features->imports->askForFile(false); });
     connect(&f.measuring->measuring(), &Measuring::promptChanged, this, &MainWindow::showHint);
     connect(&f.hands->hands(), &Hands::modeChanged, this, &MainWindow::showHint);
-    statusBar()->insertWidget(0, &f.selection->reading());
     m_selectionBar = f.selection->newBar(m_center);
     m_center->setBar(*m_selectionBar);
     m_availability.needPart({m_selectionBar->toggleViewAction()});

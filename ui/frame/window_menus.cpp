@@ -29,22 +29,14 @@ struct WindowMenus {
 } // namespace
 
 WindowActions::WindowActions(QWidget& window)
-    : quit(makeAction(window, {.name = "quit", .text = QT_TRANSLATE_NOOP("Actions", "&Quit"), .keys = "Ctrl+Q"}))
-    , cancel(makeAction(window, {.name = "cancel",
-                                 .text = QT_TRANSLATE_NOOP("Actions", "Cancel"),
-                                 .icon = "close",
-                                 .keys = "Esc",
-                                 .tip = QT_TRANSLATE_NOOP("Actions", "Stop what is being done")}))
-    , palette(makeAction(window,
-                         {.name = "palette",
-                          .text = QT_TRANSLATE_NOOP("Actions", "Find a command..."),
-                          .keys = "Ctrl+K",
-                          .tip = QT_TRANSLATE_NOOP("Actions", "Find any command by a few of its letters and do it")}))
-    , resetLayout(makeAction(window, {.name = "resetLayout",
-                                      .text = QT_TRANSLATE_NOOP("Actions", "Reset layout"),
-                                      .tip = QT_TRANSLATE_NOOP("Actions", "Put all panels back where they came")}))
-    , fullScreen(makeSwitch(window,
-                            {.name = "fullScreen", .text = QT_TRANSLATE_NOOP("Actions", "Full screen"), .keys = "F11"}))
+    : quit(makeAction(window, {"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), nullptr, "Ctrl+Q"}))
+    , cancel(makeAction(window, {"cancel", QT_TRANSLATE_NOOP("Actions", "Cancel"), "close", "Esc",
+                                 QT_TRANSLATE_NOOP("Actions", "Stop what is being done")}))
+    , palette(makeAction(window, {"palette", QT_TRANSLATE_NOOP("Actions", "Find a command..."), nullptr, "Ctrl+K",
+                                  QT_TRANSLATE_NOOP("Actions", "Find any command by a few of its letters and do it")}))
+    , resetLayout(makeAction(window, {"resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset layout"), nullptr, "",
+                                      QT_TRANSLATE_NOOP("Actions", "Put all panels back where they came")}))
+    , fullScreen(makeSwitch(window, {"fullScreen", QT_TRANSLATE_NOOP("Actions", "Full screen"), nullptr, "F11"}))
 {
 }
 

@@ -23,15 +23,12 @@ constexpr const char* tourSeen = "tour/seen";
 } // namespace
 
 HelpFeature::Actions::Actions(QWidget& window)
-    : handbook(makeAction(window, {.name = "handbook",
-                                   .text = QT_TRANSLATE_NOOP("Actions", "&Handbook"),
-                                   .keys = "F1",
-                                   .tip = QT_TRANSLATE_NOOP("Actions", "At the page of what one does")}))
-    , tour(makeAction(window, {.name = "tour",
-                               .text = QT_TRANSLATE_NOOP("Actions", "&Tour of the window"),
-                               .tip = QT_TRANSLATE_NOOP("Actions", "What is where, in a minute")}))
-    , controls(makeAction(window, {.name = "controls", .text = QT_TRANSLATE_NOOP("Actions", "Mouse and keys")}))
-    , about(makeAction(window, {.name = "about", .text = QT_TRANSLATE_NOOP("Actions", "About Knead")}))
+    : handbook(makeAction(window, {"handbook", QT_TRANSLATE_NOOP("Actions", "&Handbook"), nullptr, "F1",
+                                   QT_TRANSLATE_NOOP("Actions", "At the page of what one does")}))
+    , tour(makeAction(window, {"tour", QT_TRANSLATE_NOOP("Actions", "&Tour of the window"), nullptr, "",
+                               QT_TRANSLATE_NOOP("Actions", "What is where, in a minute")}))
+    , controls(makeAction(window, {"controls", QT_TRANSLATE_NOOP("Actions", "Mouse and keys")}))
+    , about(makeAction(window, {"about", QT_TRANSLATE_NOOP("Actions", "About Knead")}))
 {
 }
 

@@ -35,17 +35,12 @@ constexpr qint64 largeFile = 4'000'000; // [bytes]; reading takes seconds, so th
 } // namespace
 
 ImportFeature::Actions::Actions(QWidget& window)
-    : open(makeAction(window, {.name = "open",
-                               .text = QT_TRANSLATE_NOOP("Actions", "&Open..."),
-                               .icon = "open",
-                               .keys = "Ctrl+O",
-                               .tip = QT_TRANSLATE_NOOP("Actions", "Open a part, a project or a recipe")}))
+    : open(makeAction(window, {"open", QT_TRANSLATE_NOOP("Actions", "&Open..."), "open", "Ctrl+O",
+                               QT_TRANSLATE_NOOP("Actions", "Open a part, a project or a recipe")}))
     , openWithChoices(makeAction(
-          window, {.name = "openWithChoices",
-                   .text = QT_TRANSLATE_NOOP("Actions", "Open with &choices..."),
-                   .keys = "Ctrl+Shift+O",
-                   .tip = QT_TRANSLATE_NOOP(
-                       "Actions", "Look into files and choose parts, detail and units before they are opened")}))
+          window,
+          {"openWithChoices", QT_TRANSLATE_NOOP("Actions", "Open with &choices..."), nullptr, "Ctrl+Shift+O",
+           QT_TRANSLATE_NOOP("Actions", "Look into files and choose parts, detail and units before they are opened")}))
 {
 }
 

@@ -56,17 +56,10 @@ QList<QAction*> makeToolActions(QWidget& window)
 
 HandsFeature::Actions::Actions(QWidget& window)
     : addTool(makeToolActions(window))
-    , fixFaces(
-          makeSwitch(window, {.name = "fixFaces",
-                              .text = QT_TRANSLATE_NOOP("Actions", "Fix faces"),
-                              .icon = "fix",
-                              .keys = "X",
-                              .tip = QT_TRANSLATE_NOOP("Actions", "Click faces of the part to hold them in place")}))
-    , remove(makeAction(window, {.name = "remove",
-                                 .text = QT_TRANSLATE_NOOP("Actions", "Remove"),
-                                 .icon = "delete",
-                                 .keys = "Del",
-                                 .tip = QT_TRANSLATE_NOOP("Actions", "Remove the selected tool or fixture")}))
+    , fixFaces(makeSwitch(window, {"fixFaces", QT_TRANSLATE_NOOP("Actions", "Fix faces"), "fix", "X",
+                                   QT_TRANSLATE_NOOP("Actions", "Click faces of the part to hold them in place")}))
+    , remove(makeAction(window, {"remove", QT_TRANSLATE_NOOP("Actions", "Remove"), "delete", "Del",
+                                 QT_TRANSLATE_NOOP("Actions", "Remove the selected tool or fixture")}))
 {
 }
 

@@ -25,12 +25,9 @@ ComparisonFeature::ComparisonFeature(const Workbench& bench, Measuring& measurin
     , m_measuring(measuring)
     , m_action(makeAction(
           bench.window,
-          {.name = "compareWithOriginal",
-           .text = QT_TRANSLATE_NOOP("Measuring", "Compare with original..."),
-           .icon = "compare-two",
-           .keys = "Shift+M",
-           .tip = QT_TRANSLATE_NOOP(
-               "Measuring", "Largest and mean distance, volume and mass beside the original, and a report (Shift+M)")},
+          {"compareWithOriginal", QT_TRANSLATE_NOOP("Measuring", "Compare with original..."), "compare-two", "Shift+M",
+           QT_TRANSLATE_NOOP("Measuring",
+                             "Largest and mean distance, volume and mass beside the original, and a report (Shift+M)")},
           "Measuring"))
 {
     bench.availability.needBodies({m_action});

@@ -26,17 +26,13 @@ Preferences PreferencesFeature::begin()
 }
 
 PreferencesFeature::Actions::Actions(QWidget& window)
-    : preferences(
-          makeAction(window, {.name = "preferences",
-                              .text = QT_TRANSLATE_NOOP("Actions", "&Preferences..."),
-                              .keys = "Ctrl+,",
-                              .tip = QT_TRANSLATE_NOOP("Actions", "Theme, language, units, memory, files, view")}))
-    , shortcuts(makeAction(window, {.name = "shortcuts",
-                                    .text = QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts..."),
-                                    .tip = QT_TRANSLATE_NOOP("Actions", "Give commands other keys")}))
-    , lightTheme(makeSwitch(window, {.name = "lightTheme", .text = QT_TRANSLATE_NOOP("Actions", "Light")}))
-    , darkTheme(makeSwitch(window, {.name = "darkTheme", .text = QT_TRANSLATE_NOOP("Actions", "Dark")}))
-    , systemTheme(makeSwitch(window, {.name = "systemTheme", .text = QT_TRANSLATE_NOOP("Actions", "As the system")}))
+    : preferences(makeAction(window, {"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences..."), nullptr, "Ctrl+,",
+                                      QT_TRANSLATE_NOOP("Actions", "Theme, language, units, memory, files, view")}))
+    , shortcuts(makeAction(window, {"shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts..."), nullptr, "",
+                                    QT_TRANSLATE_NOOP("Actions", "Give commands other keys")}))
+    , lightTheme(makeSwitch(window, {"lightTheme", QT_TRANSLATE_NOOP("Actions", "Light")}))
+    , darkTheme(makeSwitch(window, {"darkTheme", QT_TRANSLATE_NOOP("Actions", "Dark")}))
+    , systemTheme(makeSwitch(window, {"systemTheme", QT_TRANSLATE_NOOP("Actions", "As the system")}))
 {
     auto* themes = new QActionGroup(&window);
     for (QAction* theme : {lightTheme, darkTheme, systemTheme})

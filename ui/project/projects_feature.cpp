@@ -32,20 +32,12 @@ constexpr int pictureDelay = 1500; // until a part that was opened is in view [m
 } // namespace
 
 ProjectsFeature::Actions::Actions(QWidget& window)
-    : save(makeAction(window, {.name = "save",
-                               .text = QT_TRANSLATE_NOOP("Actions", "&Save"),
-                               .icon = "save",
-                               .keys = "Ctrl+S",
-                               .tip = QT_TRANSLATE_NOOP("Actions", "Keep part, history and view in a project file")}))
-    , saveAs(makeAction(window,
-                        {.name = "saveAs",
-                         .text = QT_TRANSLATE_NOOP("Actions", "Save &as..."),
-                         .keys = "Ctrl+Shift+S",
-                         .tip = QT_TRANSLATE_NOOP("Actions", "Keep the project in another file and go on with that")}))
-    , recover(makeAction(window,
-                         {.name = "recover",
-                          .text = QT_TRANSLATE_NOOP("Actions", "Recover &unsaved work..."),
-                          .tip = QT_TRANSLATE_NOOP("Actions", "Look for work that was not saved when Knead ended")}))
+    : save(makeAction(window, {"save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
+                               QT_TRANSLATE_NOOP("Actions", "Keep part, history and view in a project file")}))
+    , saveAs(makeAction(window, {"saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as..."), nullptr, "Ctrl+Shift+S",
+                                 QT_TRANSLATE_NOOP("Actions", "Keep the project in another file and go on with that")}))
+    , recover(makeAction(window, {"recover", QT_TRANSLATE_NOOP("Actions", "Recover &unsaved work..."), nullptr, "",
+                                  QT_TRANSLATE_NOOP("Actions", "Look for work that was not saved when Knead ended")}))
 {
 }
 

@@ -24,10 +24,9 @@ RecipesFeature::RecipesFeature(const Workbench& bench, ProjectsFeature& projects
     , m_bench(bench)
     , m_projects(projects)
     , m_export(makeAction(
-          bench.window, {.name = "exportRecipe",
-                         .text = QT_TRANSLATE_NOOP("Actions", "Export as &recipe..."),
-                         .tip = QT_TRANSLATE_NOOP(
-                             "Actions", "Write what was done as a recipe, to be read, changed and carried out again")}))
+          bench.window,
+          {"exportRecipe", QT_TRANSLATE_NOOP("Actions", "Export as &recipe..."), nullptr, "",
+           QT_TRANSLATE_NOOP("Actions", "Write what was done as a recipe, to be read, changed and carried out again")}))
 {
     bench.availability.needBodies({m_export});
     connect(m_export, &QAction::triggered, this, &RecipesFeature::askForRecipe);

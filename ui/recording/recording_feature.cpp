@@ -21,15 +21,11 @@
 namespace knead {
 
 RecordingFeature::Actions::Actions(QWidget& window)
-    : video(makeAction(
-          window, {.name = "recordVideo",
-                   .text = QT_TRANSLATE_NOOP("Actions", "Record &video..."),
-                   .icon = "record",
-                   .tip = QT_TRANSLATE_NOOP("Actions", "Make a video of what was simulated, as the view shows it")}))
-    , pictures(makeAction(window,
-                          {.name = "recordPictures",
-                           .text = QT_TRANSLATE_NOOP("Actions", "Record p&ictures..."),
-                           .tip = QT_TRANSLATE_NOOP("Actions", "Write what was simulated as a sequence of pictures")}))
+    : video(makeAction(window,
+                       {"recordVideo", QT_TRANSLATE_NOOP("Actions", "Record &video..."), "record", "",
+                        QT_TRANSLATE_NOOP("Actions", "Make a video of what was simulated, as the view shows it")}))
+    , pictures(makeAction(window, {"recordPictures", QT_TRANSLATE_NOOP("Actions", "Record p&ictures..."), nullptr, "",
+                                   QT_TRANSLATE_NOOP("Actions", "Write what was simulated as a sequence of pictures")}))
 {
 }
 

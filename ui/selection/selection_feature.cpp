@@ -22,6 +22,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QToolBar>
 
 #include <numeric>
@@ -80,6 +81,7 @@ SelectionFeature::SelectionFeature(const Workbench& bench, const Parts& parts)
     m_reading->setObjectName("selectionReading");
     m_reading->setContentsMargins(8, 0, 0, 0);
     m_reading->hide();
+    bench.window.statusBar()->insertWidget(0, m_reading);
     connectSelection();
     connectTree();
     sayWhyNot();

@@ -37,9 +37,8 @@ public:
     SelectionFeature(const Workbench& bench, const Parts& parts);
 
     const SelectionActions& actions() const { return m_actions; }
-    QMenu* newMenu();                        ///< of the menu bar
-    QToolBar* newBar(QWidget* parent);       ///< for beside the view, where the hand is
-    QLabel& reading() { return *m_reading; } ///< how much is selected, for the status bar
+    QMenu* newMenu();                  ///< of the menu bar
+    QToolBar* newBar(QWidget* parent); ///< for beside the view, where the hand is
 
 private:
     void connectSelection();
@@ -61,7 +60,7 @@ private:
     Display& m_display;
     SelectionActions m_actions;
     SelectionPanel* m_panel;
-    QLabel* m_reading;
+    QLabel* m_reading; ///< how much is selected, in the status bar
 };
 
 } // namespace knead
