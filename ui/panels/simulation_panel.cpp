@@ -2,6 +2,7 @@
 
 #include "ui/document/table_kinds.h"
 #include "ui/language/said.h"
+#include "ui/materials/material_swatch.h"
 #include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 
@@ -134,12 +135,10 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
 {
     form->addRow(makeHeading(tr("Damping of all bodies"), this));
     const auto add = [&](double Material::*value, const char* name) {
-        const auto& fields = materialFields();
-        const auto field =
-            std::find_if(fields.begin(), fields.end(), [value](const auto& f) { return f.value == value; });
-        QuantityField* edit = makeField(quantityOfUnit(field->unit), name, this);
-        edit->setRange(field->minimum, field->maximum);
-        const QString label = QCoreApplication::translate("MaterialPanel", field->name);
+        const MaterialField& field = fieldOf(value);
+        QuantityField* edit = makeField(quantityOfUnit(field.unit), name, this);
+        edit->setRange(field.minimum, field.maximum);
+        const QString label = QCoreApplication::translate("MaterialPanel", field.name);
         connect(edit, &QuantityField::committed, this,
                 [this, value, label](double number) { commitDamping(value, number, label); });
         form->addRow(label, edit);
