@@ -2,6 +2,7 @@
 
 #include "ui/commands/availability.h"
 #include "ui/commands/make_action.h"
+#include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/viewport/surface_field_overlay.h"
 #include "ui/viewport/viewport_widget.h"
@@ -130,7 +131,8 @@ void Display::makeColors()
     add("colorParts", tr("Part colors"), -1, tr("Faces have the colors of the part"))->setChecked(true);
     for (std::size_t i = 0; i < surfaceQuantityCount; ++i) {
         const QString text = nameOf(static_cast<SurfaceQuantity>(i));
-        add("color-" + QString(quantityNames[i]), text, static_cast<int>(i), tr("Color the skin by: %1").arg(text));
+        add("color-" + QString(quantityNames[i]), text, static_cast<int>(i),
+            said(Message("Display", "Color the skin by: %1").with(termOf(static_cast<SurfaceQuantity>(i)))));
     }
     connect(m_colors, &QActionGroup::triggered, this, [this](const QAction* action) {
         const int number = action->data().toInt();
@@ -155,7 +157,7 @@ void Display::makeMaps()
     std::vector<std::pair<QByteArray, QString>> names;
     for (const ColorMapChoice& choice : colorMapChoices())
         names.emplace_back(QByteArray("colorMap") + choice.name,
-                           tr("Color map: %1").arg(QCoreApplication::translate("ColorMap", choice.title)));
+                           said(Message("Display", "Color map: %1").with(Message("ColorMap", choice.title))));
     m_maps = makeGroup(names, tr("From which colors to which numbers are shown"));
     connect(m_maps, &QActionGroup::triggered, this, [this](const QAction* action) {
         setMap(colorMapChoices()[static_cast<std::size_t>(action->data().toInt())].map);

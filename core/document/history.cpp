@@ -46,6 +46,13 @@ HistoryRecord recordOf(Gesture gesture, std::string name, const Packing& packing
             .moment = std::make_shared<const Bytes>(momentToBytes(*gesture.moment, packing))};
 }
 
+HistoryRecord recordOf(Gesture gesture, Message words, const Packing& packing)
+{
+    HistoryRecord record = recordOf(std::move(gesture), words.english(), packing);
+    record.words = std::move(words);
+    return record;
+}
+
 MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
 {
     ToolParts parts = toolPartsOf(scene, way.commands);
@@ -179,6 +186,7 @@ Way History::wayTo(Entry entry) const
 void History::rename(Entry entry, std::string name)
 {
     m_records[entry].name = std::move(name);
+    m_records[entry].words = {};
 }
 
 void History::setKey(Entry entry, bool isKey)

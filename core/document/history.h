@@ -16,6 +16,7 @@ namespace knead {
 
 /// An entry for what was done, ready to be appended. Packs the moment; any thread.
 HistoryRecord recordOf(Gesture gesture, std::string name, const Packing& packing = {});
+HistoryRecord recordOf(Gesture gesture, Message words, const Packing& packing = {});
 
 /// How to come to an entry: a plain value, for another thread than that of the history.
 struct Way {

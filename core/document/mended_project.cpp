@@ -34,7 +34,7 @@ HistoryRecord repeated(const Project& project, const WorkState& state, const Pac
     simulation.goTo(std::move(moment));
     TaskPortion repeating(control, 0.3, 1);
     simulation = replay(std::move(simulation), state.gesture, state.step, repeating);
-    HistoryRecord record = recordOf(endGesture(simulation), "Recovered", packing);
+    HistoryRecord record = recordOf(endGesture(simulation), Message("Project", "Recovered"), packing);
     record.parent = project.current;
     record.start = project.entries[project.current].start;
     record.wallTime = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -72,7 +72,7 @@ MendedProject withReachableEntry(Project project, const Packing& packing, TaskCo
         } catch (const std::exception&) {
             const HistoryRecord& record =
                 project.entries[std::min<std::size_t>(project.current, project.entries.size() - 1)];
-            missing.push_back(Message("Project", "the state after \"%1\"").with(record.name));
+            missing.push_back(Message("Project", "the state after \"%1\"").with(record.label()));
             if (project.current == 0)
                 break;
             project.current = record.parent;

@@ -117,7 +117,7 @@ struct PreparedModel {
     Simulation simulation;
     std::shared_ptr<const Frame> frame;
     Gesture first;                          ///< nothing was done yet: where a history begins
-    std::string name = {};                  ///< of the first entry of the history; empty: after the file
+    Message name = {};                      ///< of the first entry of the history; empty: after the file
     ScriptedEventsMaker script = {};        ///< of a recipe: what happens while time runs
     std::vector<FaceFixture> fixtures = {}; ///< of a recipe: faces that its fixtures hold
 };

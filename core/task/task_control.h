@@ -10,7 +10,8 @@ class TaskControl {
 public:
     virtual ~TaskControl() = default;
 
-    /// `fraction` in 0..1 over the whole task, `stage` a short phrase such as "reading faces".
+    /// `fraction` in 0..1 over the whole task, `stage` a short phrase such as "reading the file",
+    /// which the window says in its language where it is one of words_of_core.cpp.
     virtual void report(double fraction, std::string_view stage) = 0;
     virtual bool isCancelled() const = 0;
 

@@ -1,6 +1,7 @@
 #include "io/project/project_reader.h"
 
 #include "core/message/message.h"
+#include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
 #include "io/project/project_fields.h"
@@ -50,17 +51,6 @@ std::uint64_t countIn(const Row& row, std::size_t column)
     return static_cast<std::uint64_t>(number);
 }
 
-/// Sentences of readers go on in a longer one.
-Message withoutStop(const std::runtime_error& error)
-{
-    std::string sentence = error.what();
-    if (!sentence.ends_with('.'))
-        return messageOf(error);
-    while (sentence.ends_with('.'))
-        sentence.pop_back();
-    return Message::verbatim(sentence);
-}
-
 } // namespace
 
 ProjectReader::ProjectReader(SQLite::Database& database, const ReadingChoices& choices, TaskControl& control)
@@ -80,6 +70,7 @@ Project ProjectReader::read()
     readStarts();
     m_control.report(0.5, "opening the history");
     readEntries();
+    readWords();
     readView();
     readMarks();
     readPanels();
@@ -97,7 +88,7 @@ bool ProjectReader::attempt(const Message& what, const std::function<void()>& re
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        const Message sentence = Message::verbatim("%1 (%2)").with(what, withoutStop(error));
+        const Message sentence = Message::verbatim("%1 (%2)").with(what, messageOf(error));
         if (!m_choices.rescues)
             throw DamagedData(sentence);
         m_missing.push_back(sentence);
@@ -321,6 +312,28 @@ void ProjectReader::readView()
         view.thumbnail = row.bytes(3);
         m_project.view = std::move(view);
     });
+}
+
+/// Earlier versions wrote none; and what such a version did to the entries since is what counts.
+void ProjectReader::readWords()
+{
+    bool isThere = false;
+    attempt(Message("Project", "what entries are called"), [&] { isThere = m_database.tableExists(entryWords.name); });
+    for (std::size_t id = 0; isThere && id < m_entries.size(); ++id)
+        attempt(Message("Project", "what entry %1 is called").with(id), [&] {
+            SQLite::Statement statement(m_database, std::string("SELECT id FROM ") + entryWords.name + " WHERE id = ?");
+            statement.bind(1, static_cast<std::int64_t>(id));
+            if (!m_entries[id] || !statement.executeStep())
+                return;
+            const Row row = rowAt(m_database, entryWords.name, static_cast<std::int64_t>(id));
+            HistoryRecord& record = m_project.entries[*m_entries[id]];
+            try {
+                if (Message words = messageFrom(nlohmann::json::parse(row.text(1))); words.english() == record.name)
+                    record.words = std::move(words);
+            } catch (const nlohmann::json::exception&) {
+                throw DamagedData(Message("Project", "it is no sentence"));
+            }
+        });
 }
 
 void ProjectReader::readMarks()

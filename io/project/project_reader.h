@@ -57,6 +57,7 @@ private:
     void checkFixtures(const HistoryRecord& record);
     void readMoments();
     void readView();
+    void readWords();
     void readMarks();
     void readPanels();
 

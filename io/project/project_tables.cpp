@@ -1,5 +1,6 @@
 #include "io/project/project_tables.h"
 
+#include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
 #include "io/project/project_fields.h"
@@ -36,6 +37,11 @@ std::string jsonOf(const Value& value)
     return jsonOf(value, none);
 }
 
+std::string jsonText(const Message& message)
+{
+    return toJson(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::vector<RowValue> rowOf(std::int64_t id, const Part& part)
 {
     return {id,
@@ -64,6 +70,9 @@ ProjectTables::ProjectTables(SQLite::Database& database)
 {
     for (const TableForm& table : projectTables())
         m_rows[table.name] = 0;
+    m_database.exec(entryWords.sql);
+    m_database.exec(std::string("DELETE FROM ") +
+                    entryWords.name); // a program that does not know it may have left some
 }
 
 void ProjectTables::addProject(const Project& project, TaskControl& control)
@@ -179,6 +188,10 @@ void ProjectTables::putEntry(std::uint32_t entry, const HistoryRecord& record)
             commandText(record.commands), static_cast<std::int64_t>(record.step), record.time,
             static_cast<std::int64_t>(record.hash), std::int64_t{record.isKey}, orNull(moment.size),
             orNull(moment.blob)});
+    if (record.words.empty())
+        dropRow(m_database, entryWords.name, entry);
+    else
+        putRow(m_database, entryWords.name, {std::int64_t{entry}, jsonText(record.words)});
 }
 
 void ProjectTables::setCurrent(std::uint32_t entry)

@@ -24,6 +24,11 @@ constexpr int schemaVersion = 1;
 std::span<const TableForm> projectTables();
 std::span<const TableForm> recoveryTables(); ///< which recovery files have besides
 
+/// What entries are called in any language, as JSON of messages; the entries themselves have it in English. Files of this version
+/// may be without it, and programs that do not know it need not: it came later.
+constexpr TableForm entryWords{"entry_words", "CREATE TABLE IF NOT EXISTS entry_words (id INTEGER PRIMARY KEY, "
+                                              "message TEXT, row_check INTEGER)"};
+
 void makeTables(SQLite::Database& database, std::span<const TableForm> tables);
 
 /// Whether all of these tables are there and were made as makeTables() does.

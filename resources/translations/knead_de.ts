@@ -487,7 +487,7 @@
     <name>Availability</name>
     <message>
         <source>Open a part first.</source>
-        <translation>Öffnen Sie zuerst ein Teil.</translation>
+        <translation>Zuerst ein Teil öffnen.</translation>
     </message>
     <message>
         <source>Nothing in this part is closed, so nothing can be simulated.</source>
@@ -532,7 +532,7 @@
     <name>ColorLegend</name>
     <message>
         <source>Looking back does not keep this of material that has flowed or is pressed: return to the present, or choose displacement or strain.</source>
-        <translation>Der Rückblick bewahrt dies nicht für Material, das geflossen ist oder gedrückt wird: kehren Sie zur Gegenwart zurück, oder wählen Sie Verschiebung oder Dehnung.</translation>
+        <translation>Der Rückblick bewahrt dies nicht für Material, das geflossen ist oder gedrückt wird: zur Gegenwart zurückkehren, oder Verschiebung oder Dehnung wählen.</translation>
     </message>
     <message>
         <source>This moment does not tell it yet: it comes with the next step.</source>
@@ -589,11 +589,11 @@
     <name>CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation>Was möchten Sie tun?</translation>
+        <translation>Was ist zu tun?</translation>
     </message>
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
-        <translation>Nichts heißt so: versuchen Sie es mit weniger Buchstaben.</translation>
+        <translation>Nichts heißt so: es mit weniger Buchstaben versuchen.</translation>
     </message>
     <message>
         <source>Not possible now.</source>
@@ -752,7 +752,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is rigid, and is not cut. Make it deformable first.</source>
-        <translation>„%1“ ist starr und wird nicht geschnitten. Machen Sie es zuerst verformbar.</translation>
+        <translation>„%1“ ist starr und wird nicht geschnitten. Zuerst verformbar machen.</translation>
     </message>
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
@@ -859,7 +859,7 @@
     </message>
     <message>
         <source>Color the skin by a quantity first.</source>
-        <translation>Färben Sie zuerst die Haut nach einer Größe.</translation>
+        <translation>Zuerst die Haut nach einer Größe färben.</translation>
     </message>
     <message>
         <source>Section across X</source>
@@ -958,7 +958,7 @@
     </message>
     <message>
         <source>Drag the line in the view: the original on the left, now on the right.</source>
-        <translation>Ziehen Sie die Linie in der Ansicht: links das Original, rechts der jetzige Stand.</translation>
+        <translation>Die Linie in der Ansicht ziehen: links das Original, rechts der jetzige Stand.</translation>
     </message>
 </context>
 <context>
@@ -992,7 +992,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
-        <translation>„%1“ ist ein Netz ohne CAD-Flächen: öffnen Sie es als STEP, IGES oder BREP, um Flächen zu fixieren.</translation>
+        <translation>„%1“ ist ein Netz ohne CAD-Flächen: es als STEP, IGES oder BREP öffnen, um Flächen zu fixieren.</translation>
     </message>
     <message>
         <source>Fix face</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.</source>
-        <translation>%1 hält keine Objekte: die Flächen sind kleiner als der Abstand. Wählen Sie einen feineren Abstand und füllen Sie neu.</translation>
+        <translation>%1 hält keine Objekte: die Flächen sind kleiner als der Abstand. Einen feineren Abstand wählen und neu füllen.</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -1020,7 +1020,7 @@
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then go to %2.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab, und gehen Sie dann zu %2.</translation>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen, und dann zu %2 gehen.</translation>
     </message>
     <message>
         <source>Branching from %1</source>
@@ -1028,7 +1028,7 @@
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then branch again.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab, und zweigen Sie dann ab.</translation>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen, und dann abzweigen.</translation>
     </message>
     <message>
         <source>Branch at %1</source>
@@ -1048,11 +1048,11 @@
     </message>
     <message>
         <source>Something is called &quot;%1&quot; already: choose another name.</source>
-        <translation>Etwas heißt schon „%1“: wählen Sie einen anderen Namen.</translation>
+        <translation>Etwas heißt schon „%1“: einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is locked in the model tree: unlock it there to change it.</source>
-        <translation>„%1“ ist im Modellbaum gesperrt: entsperren Sie es dort, um es zu ändern.</translation>
+        <translation>„%1“ ist im Modellbaum gesperrt: es dort entsperren, um es zu ändern.</translation>
     </message>
     <message>
         <source>Fix selection</source>
@@ -1060,7 +1060,7 @@
     </message>
     <message>
         <source>The selection holds no objects: it is smaller than the spacing. Choose a finer spacing and refill.</source>
-        <translation>Die Auswahl hält keine Objekte: sie ist kleiner als der Abstand. Wählen Sie einen feineren Abstand und füllen Sie neu.</translation>
+        <translation>Die Auswahl hält keine Objekte: sie ist kleiner als der Abstand. Einen feineren Abstand wählen und neu füllen.</translation>
     </message>
     <message>
         <source>Material of selection</source>
@@ -1076,11 +1076,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
-        <translation>„%1“ benennt Kanten oder Verbindungen einer anderen Füllung: gehen Sie mit Rückgängig dorthin zurück, oder wählen Sie sie noch einmal und speichern Sie sie unter diesem Namen.</translation>
+        <translation>„%1“ benennt Kanten oder Verbindungen einer anderen Füllung: mit Rückgängig dorthin zurückgehen, oder sie noch einmal wählen und unter diesem Namen speichern.</translation>
     </message>
     <message>
         <source>There is not enough memory to go to %1. Close other programs and try again.</source>
-        <translation>Der Speicher reicht nicht, um zu %1 zu gehen. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+        <translation>Der Speicher reicht nicht, um zu %1 zu gehen. Andere Programme schließen und es noch einmal versuchen.</translation>
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then find the balance.</source>
@@ -1107,12 +1107,12 @@
         <translation>Kein Körper ist aus Material, das fließt: elastische behalten ihre Ruheform und werden nicht neu gefüllt.</translation>
     </message>
     <message>
-        <source>Press it</source>
-        <translation>Drücken</translation>
-    </message>
-    <message>
         <source>Block</source>
         <translation>Block</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Drücken</translation>
     </message>
 </context>
 <context>
@@ -1334,11 +1334,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
-        <translation>„%1“ bräuchte %2 ebene Flächen, mehr als CAD-Programme verarbeiten; exportieren Sie es als Netz.</translation>
+        <translation>„%1“ bräuchte %2 ebene Flächen, mehr als CAD-Programme verarbeiten; es als Netz exportieren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
-        <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; blenden Sie es aus oder exportieren Sie als Netz.</translation>
+        <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; es ausblenden oder als Netz exportieren.</translation>
     </message>
     <message>
         <source>it came as a mesh, which has no smooth faces.</source>
@@ -1366,7 +1366,7 @@
     </message>
     <message>
         <source>The exact shapes of the parts are not complete; import the file again.</source>
-        <translation>Die exakten Formen der Teile sind nicht vollständig; importieren Sie die Datei noch einmal.</translation>
+        <translation>Die exakten Formen der Teile sind nicht vollständig; die Datei noch einmal importieren.</translation>
     </message>
     <message>
         <source>its bent faces were not found again in the file when that was read back.</source>
@@ -1418,7 +1418,7 @@
     </message>
     <message>
         <source>A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.</source>
-        <translation>Eine CAD-Datei kann nicht in %1 geschrieben werden; wählen Sie mm, cm, m, inch oder ft.</translation>
+        <translation>Eine CAD-Datei kann nicht in %1 geschrieben werden; mm, cm, m, inch oder ft wählen.</translation>
     </message>
     <message>
         <source>The parts could not be put into STEP.</source>
@@ -1442,11 +1442,11 @@
     </message>
     <message>
         <source>the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.</source>
-        <translation>die Oberfläche braucht mehr als die 4 GB, die eine GLB-Datei aufnehmen kann; exportieren Sie weniger Körper, oder als .gltf.</translation>
+        <translation>die Oberfläche braucht mehr als die 4 GB, die eine GLB-Datei aufnehmen kann; weniger Körper exportieren, oder als .gltf.</translation>
     </message>
     <message>
         <source>the ending is none of %1; name the file after its format.</source>
-        <translation>die Endung ist keine von %1; benennen Sie die Datei nach ihrem Format.</translation>
+        <translation>die Endung ist keine von %1; die Datei nach ihrem Format benennen.</translation>
     </message>
     <message>
         <source>the length unit &quot;%1&quot; is not known; known are %2.</source>
@@ -1454,7 +1454,7 @@
     </message>
     <message>
         <source>the surface of &quot;%1&quot; leads to infinity; go back to where it was whole and export again.</source>
-        <translation>die Oberfläche von „%1“ führt ins Unendliche; gehen Sie dahin zurück, wo sie heil war, und exportieren Sie noch einmal.</translation>
+        <translation>die Oberfläche von „%1“ führt ins Unendliche; dahin zurückgehen, wo sie heil war, und noch einmal exportieren.</translation>
     </message>
     <message>
         <source>there is no surface to write.</source>
@@ -1462,15 +1462,15 @@
     </message>
     <message>
         <source>the surface has more than 2147483647 points or triangles, which the formats cannot count; export fewer bodies.</source>
-        <translation>die Oberfläche hat mehr als 2147483647 Punkte oder Dreiecke, die die Formate nicht zählen können; exportieren Sie weniger Körper.</translation>
+        <translation>die Oberfläche hat mehr als 2147483647 Punkte oder Dreiecke, die die Formate nicht zählen können; weniger Körper exportieren.</translation>
     </message>
     <message>
         <source>3MF does not know the length unit %1; choose one of um, mm, cm, inch, ft and m.</source>
-        <translation>3MF kennt die Längeneinheit %1 nicht; wählen Sie um, mm, cm, inch, ft oder m.</translation>
+        <translation>3MF kennt die Längeneinheit %1 nicht; um, mm, cm, inch, ft oder m wählen.</translation>
     </message>
     <message>
         <source>the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.</source>
-        <translation>die Oberfläche braucht mehr als die 4 GB, die eine 3MF-Datei aufnehmen kann; exportieren Sie weniger Körper.</translation>
+        <translation>die Oberfläche braucht mehr als die 4 GB, die eine 3MF-Datei aufnehmen kann; weniger Körper exportieren.</translation>
     </message>
     <message>
         <source>its border cannot be drawn in its parameters</source>
@@ -1546,7 +1546,7 @@
     </message>
     <message>
         <source>the export asks for more memory than there is; export fewer parts at a time.</source>
-        <translation>der Export verlangt mehr Speicher, als es gibt; exportieren Sie weniger Teile auf einmal.</translation>
+        <translation>der Export verlangt mehr Speicher, als es gibt; weniger Teile auf einmal exportieren.</translation>
     </message>
     <message>
         <source>smooth faces go into .step, .iges and .brep files only.</source>
@@ -1554,15 +1554,15 @@
     </message>
     <message>
         <source>Nothing was written; export fewer parts at a time, or with a larger tolerance.</source>
-        <translation>Nichts wurde geschrieben; exportieren Sie weniger Teile auf einmal, oder mit einer größeren Toleranz.</translation>
+        <translation>Nichts wurde geschrieben; weniger Teile auf einmal exportieren, oder mit einer größeren Toleranz.</translation>
     </message>
     <message>
         <source>Nothing was written; export the parts one by one to see which one it is, or as a mesh.</source>
-        <translation>Nichts wurde geschrieben; exportieren Sie die Teile einzeln, um zu sehen, welches es ist, oder als Netz.</translation>
+        <translation>Nichts wurde geschrieben; die Teile einzeln exportieren, um zu sehen, welches es ist, oder als Netz.</translation>
     </message>
     <message>
         <source>What to write could not be handed over; try again.</source>
-        <translation>Was zu schreiben war, konnte nicht übergeben werden; versuchen Sie es noch einmal.</translation>
+        <translation>Was zu schreiben war, konnte nicht übergeben werden; noch einmal versuchen.</translation>
     </message>
     <message>
         <source>there is nothing to export.</source>
@@ -1802,7 +1802,7 @@
     <name>File</name>
     <message>
         <source>the file cannot be written (%1); choose another place or make room.</source>
-        <translation>die Datei kann nicht geschrieben werden (%1); wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
+        <translation>die Datei kann nicht geschrieben werden (%1); einen anderen Ort wählen oder Platz schaffen.</translation>
     </message>
     <message>
         <source>%1: no such file.</source>
@@ -1810,15 +1810,15 @@
     </message>
     <message>
         <source>%1: this is a folder; name a file.</source>
-        <translation>%1: das ist ein Ordner; nennen Sie eine Datei.</translation>
+        <translation>%1: das ist ein Ordner; eine Datei nennen.</translation>
     </message>
     <message>
         <source>%1: the file cannot be read; check its permissions.</source>
-        <translation>%1: die Datei kann nicht gelesen werden; prüfen Sie ihre Rechte.</translation>
+        <translation>%1: die Datei kann nicht gelesen werden; ihre Rechte prüfen.</translation>
     </message>
     <message>
         <source>There is no folder for temporary files; set TMPDIR to one you may write to.</source>
-        <translation>Es gibt keinen Ordner für temporäre Dateien; setzen Sie TMPDIR auf einen, in den Sie schreiben dürfen.</translation>
+        <translation>Es gibt keinen Ordner für temporäre Dateien; TMPDIR auf einen setzen, in den geschrieben werden darf.</translation>
     </message>
     <message>
         <source>%1: no temporary file can be made there (%2).</source>
@@ -1826,11 +1826,11 @@
     </message>
     <message>
         <source>The folder for temporary files takes no more; make room there, or set TMPDIR to another folder (%1).</source>
-        <translation>Der Ordner für temporäre Dateien nimmt nichts mehr auf; schaffen Sie dort Platz oder setzen Sie TMPDIR auf einen anderen (%1).</translation>
+        <translation>Der Ordner für temporäre Dateien nimmt nichts mehr auf; dort Platz schaffen oder TMPDIR auf einen anderen setzen (%1).</translation>
     </message>
     <message>
         <source>%1: the folder for temporary files takes no more (%2); make room there, or set TMPDIR to another folder.</source>
-        <translation>%1: der Ordner für temporäre Dateien nimmt nichts mehr auf (%2); schaffen Sie dort Platz oder setzen Sie TMPDIR auf einen anderen.</translation>
+        <translation>%1: der Ordner für temporäre Dateien nimmt nichts mehr auf (%2); dort Platz schaffen oder TMPDIR auf einen anderen setzen.</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -1838,46 +1838,46 @@
     </message>
     <message>
         <source>Name another one with --csv.</source>
-        <translation>Nennen Sie eine andere mit --csv.</translation>
+        <translation>Eine andere mit --csv nennen.</translation>
     </message>
     <message>
         <source>Name another one with --probes.</source>
-        <translation>Nennen Sie eine andere mit --probes.</translation>
+        <translation>Eine andere mit --probes nennen.</translation>
     </message>
 </context>
 <context>
     <name>Filling</name>
     <message>
         <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
-        <translation>Ein Abstand von %1 braucht mehr als %2 Objekte. Wählen Sie einen größeren Abstand.</translation>
+        <translation>Ein Abstand von %1 braucht mehr als %2 Objekte. Einen größeren Abstand wählen.</translation>
     </message>
     <message>
         <source>The part has no triangles, so there is nothing to fill. Import a part with a surface.</source>
-        <translation>Das Teil hat keine Dreiecke, also ist nichts zu füllen. Importieren Sie ein Teil mit einer Oberfläche.</translation>
+        <translation>Das Teil hat keine Dreiecke, also ist nichts zu füllen. Ein Teil mit einer Oberfläche importieren.</translation>
     </message>
     <message>
         <source>A vertex of the surface is not at a finite place. Repair the file and import again.</source>
-        <translation>Ein Eckpunkt der Oberfläche liegt an keinem endlichen Ort. Reparieren Sie die Datei und importieren Sie erneut.</translation>
+        <translation>Ein Eckpunkt der Oberfläche liegt an keinem endlichen Ort. Die Datei reparieren und erneut importieren.</translation>
     </message>
     <message>
         <source>The surface is not closed: %1 edges of triangles have no partner. Close the gaps and import again.</source>
-        <translation>Die Oberfläche ist nicht geschlossen: %1 Kanten von Dreiecken haben keinen Partner. Schließen Sie die Lücken und importieren Sie erneut.</translation>
+        <translation>Die Oberfläche ist nicht geschlossen: %1 Kanten von Dreiecken haben keinen Partner. Die Lücken schließen und erneut importieren.</translation>
     </message>
     <message>
         <source>A spacing of %1 cannot be used. Enter a length above 0.</source>
-        <translation>Ein Abstand von %1 ist nicht verwendbar. Geben Sie eine Länge über 0 ein.</translation>
+        <translation>Ein Abstand von %1 ist nicht verwendbar. Eine Länge über 0 eingeben.</translation>
     </message>
     <message>
         <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
-        <translation>Die Oberfläche begrenzt kein Volumen: ihre Löcher sind zu groß, um innen von außen zu unterscheiden. Schließen Sie sie und importieren Sie erneut.</translation>
+        <translation>Die Oberfläche begrenzt kein Volumen: ihre Löcher sind zu groß, um innen von außen zu unterscheiden. Die Löcher schließen und erneut importieren.</translation>
     </message>
     <message>
         <source>The part is too thin for a spacing of %1: no cell holds enough material. Choose a smaller spacing.</source>
-        <translation>Das Teil ist zu dünn für einen Abstand von %1: keine Zelle enthält genug Material. Wählen Sie einen kleineren Abstand.</translation>
+        <translation>Das Teil ist zu dünn für einen Abstand von %1: keine Zelle enthält genug Material. Einen kleineren Abstand wählen.</translation>
     </message>
     <message>
         <source>The surface is not closed. Close it and try again.</source>
-        <translation>Die Oberfläche ist nicht geschlossen. Schließen Sie sie und versuchen Sie es erneut.</translation>
+        <translation>Die Oberfläche ist nicht geschlossen. Die Lücken schließen und es erneut versuchen.</translation>
     </message>
     <message>
         <source>The spacing must be greater than 0.</source>
@@ -1885,11 +1885,11 @@
     </message>
     <message>
         <source>The spacing is too small for a part of this size. Choose a larger one.</source>
-        <translation>Der Abstand ist zu klein für ein Teil dieser Größe. Wählen Sie einen größeren.</translation>
+        <translation>Der Abstand ist zu klein für ein Teil dieser Größe. Einen größeren wählen.</translation>
     </message>
     <message>
         <source>No sphere has its center inside the part. Choose a smaller spacing.</source>
-        <translation>Keine Kugel hat ihren Mittelpunkt im Teil. Wählen Sie einen kleineren Abstand.</translation>
+        <translation>Keine Kugel hat ihren Mittelpunkt im Teil. Einen kleineren Abstand wählen.</translation>
     </message>
     <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
@@ -1909,7 +1909,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
-        <translation>„%1“ ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
+        <translation>„%1“ ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Seine Flächen schließen und es erneut importieren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
@@ -1917,11 +1917,11 @@
     </message>
     <message>
         <source>%1: the file holds no solid and no surface; export the part as a solid.</source>
-        <translation>%1: die Datei enthält keinen Körper und keine Oberfläche; exportieren Sie das Teil als Körper.</translation>
+        <translation>%1: die Datei enthält keinen Körper und keine Oberfläche; das Teil als Körper exportieren.</translation>
     </message>
     <message>
         <source>%1: no closed body found. Close the surfaces in the CAD program and export again.</source>
-        <translation>%1: kein geschlossener Körper gefunden. Schließen Sie die Flächen im CAD-Programm und exportieren Sie erneut.</translation>
+        <translation>%1: kein geschlossener Körper gefunden. Die Flächen im CAD-Programm schließen und erneut exportieren.</translation>
     </message>
     <message>
         <source>The spacing of another filling must be more than 0.</source>
@@ -1941,7 +1941,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.</source>
-        <translation>„%1“ ist elastisch: es behält seine Ruheform und wird nicht neu gefüllt. Lassen Sie es fließen oder renormieren Sie es.</translation>
+        <translation>„%1“ ist elastisch: es behält seine Ruheform und wird nicht neu gefüllt. Es fließen lassen oder renormieren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has cracks, which another filling would blur: only what heals is filled anew with them.</source>
@@ -1957,7 +1957,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; has a load on a box, which says nothing of its present shape. Put it on faces.</source>
-        <translation>„%1“ hat eine Last auf einem Quader, der nichts über die jetzige Form sagt. Setzen Sie sie auf Flächen.</translation>
+        <translation>„%1“ hat eine Last auf einem Quader, der nichts über die jetzige Form sagt. Die Last auf Flächen setzen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; moves out of all bounds.</source>
@@ -1992,19 +1992,19 @@
     <name>FilmWriter</name>
     <message>
         <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
-        <translation>In %1 ist kein Platz mehr. Schaffen Sie welchen, oder nehmen Sie weniger oder kleinere Bilder auf.</translation>
+        <translation>In %1 ist kein Platz mehr. Platz schaffen, oder weniger oder kleinere Bilder aufnehmen.</translation>
     </message>
     <message>
         <source>%1 is there already. Choose another name for the folder of pictures.</source>
-        <translation>%1 gibt es schon. Wählen Sie einen anderen Namen für den Ordner der Bilder.</translation>
+        <translation>%1 gibt es schon. Einen anderen Namen für den Ordner der Bilder wählen.</translation>
     </message>
     <message>
         <source>No folder can be made in %1: %2. Choose another place.</source>
-        <translation>In %1 kann kein Ordner angelegt werden: %2. Wählen Sie einen anderen Ort.</translation>
+        <translation>In %1 kann kein Ordner angelegt werden: %2. Einen anderen Ort wählen.</translation>
     </message>
     <message>
         <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
-        <translation>%1 kann nicht angelegt werden (%2). Wählen Sie einen anderen Namen für den Ordner der Bilder.</translation>
+        <translation>%1 kann nicht angelegt werden (%2). Einen anderen Namen für den Ordner der Bilder wählen.</translation>
     </message>
 </context>
 <context>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Add a tool and press Space: forces over time appear here.</source>
-        <translation>Fügen Sie ein Werkzeug hinzu und drücken Sie die Leertaste: hier erscheinen Kräfte über der Zeit.</translation>
+        <translation>Ein Werkzeug hinzufügen und die Leertaste drücken: hier erscheinen Kräfte über der Zeit.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2099,7 +2099,7 @@
     </message>
     <message>
         <source>The window needs OpenGL 3.2 or later to draw, and here is %1. Install or update the driver of the graphics card, or Mesa (libgl1-mesa-dri), which draws without such a card. The commands that knead --help lists need no window.</source>
-        <translation>Das Fenster braucht OpenGL 3.2 oder neuer zum Zeichnen, und hier gibt es %1. Installieren oder erneuern Sie den Treiber der Grafikkarte, oder Mesa (libgl1-mesa-dri), das ohne solche Karte zeichnet. Die Befehle, die knead --help aufzählt, brauchen kein Fenster.</translation>
+        <translation>Das Fenster braucht OpenGL 3.2 oder neuer zum Zeichnen, und hier gibt es %1. Den Treiber der Grafikkarte installieren oder erneuern, oder Mesa (libgl1-mesa-dri), das ohne solche Karte zeichnet. Die Befehle, die knead --help aufzählt, brauchen kein Fenster.</translation>
     </message>
 </context>
 <context>
@@ -2331,11 +2331,11 @@
     </message>
     <message>
         <source>There are no forces to write yet: press Play and let something happen first.</source>
-        <translation>Noch gibt es keine Kräfte zu schreiben: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
+        <translation>Noch gibt es keine Kräfte zu schreiben: Starten drücken und etwas geschehen lassen.</translation>
     </message>
     <message>
         <source>Select a tool or a fixture first.</source>
-        <translation>Wählen Sie zuerst ein Werkzeug oder eine Einspannung.</translation>
+        <translation>Zuerst ein Werkzeug oder eine Einspannung wählen.</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -2417,7 +2417,7 @@
     </message>
     <message>
         <source>Repeating what was done came to another state than it did then, as it does with another version of Knead. Go to an entry that is kept.</source>
-        <translation>Zu wiederholen, was getan wurde, führte zu einem anderen Zustand als damals, wie es mit einer anderen Version von Knead geschieht. Gehen Sie zu einem Eintrag, der aufbewahrt ist.</translation>
+        <translation>Zu wiederholen, was getan wurde, führte zu einem anderen Zustand als damals, wie es mit einer anderen Version von Knead geschieht. Zu einem Eintrag gehen, der aufbewahrt ist.</translation>
     </message>
     <message>
         <source>The project has no history: nothing was done in it yet that could be repeated.</source>
@@ -2445,7 +2445,7 @@
     </message>
     <message>
         <source>This moment of the history cannot be read: %1. Go to an earlier one and repeat from there.</source>
-        <translation>Dieser Moment des Verlaufs ist nicht lesbar: %1. Gehen Sie zu einem früheren und wiederholen Sie von dort.</translation>
+        <translation>Dieser Moment des Verlaufs ist nicht lesbar: %1. Zu einem früheren gehen und von dort wiederholen.</translation>
     </message>
     <message>
         <source>it has another number of bodies than the scene</source>
@@ -2505,7 +2505,7 @@
     </message>
     <message>
         <source>The recording does not belong to this scene: it goes on at step %1, and the run is at step %2. Start from the scene it was made with.</source>
-        <translation>Die Aufzeichnung gehört nicht zu dieser Szene: sie geht bei Schritt %1 weiter, und der Lauf ist bei Schritt %2. Beginnen Sie mit der Szene, mit der sie entstand.</translation>
+        <translation>Die Aufzeichnung gehört nicht zu dieser Szene: sie geht bei Schritt %1 weiter, und der Lauf ist bei Schritt %2. Mit der Szene beginnen, mit der sie entstand.</translation>
     </message>
     <message>
         <source>The moment belongs to other bodies than these. Nothing was changed.</source>
@@ -2630,15 +2630,15 @@ Simuliert: %2, Schritt %3
     <name>Iges</name>
     <message>
         <source>line %1 of the IGES file is not in 80 columns; the file is damaged, get it again.</source>
-        <translation>Zeile %1 der IGES-Datei steht nicht in 80 Spalten; die Datei ist beschädigt, besorgen Sie sie noch einmal.</translation>
+        <translation>Zeile %1 der IGES-Datei steht nicht in 80 Spalten; die Datei ist beschädigt, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the IGES file ends before its last line (T); it is cut off, get it again.</source>
-        <translation>die IGES-Datei endet vor ihrer letzten Zeile (T); sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+        <translation>die IGES-Datei endet vor ihrer letzten Zeile (T); sie ist abgeschnitten, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the IGES file lacks lines of its section %1; it is damaged, get it again.</source>
-        <translation>der IGES-Datei fehlen Zeilen ihres Abschnitts %1; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+        <translation>der IGES-Datei fehlen Zeilen ihres Abschnitts %1; sie ist beschädigt, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>a text in the IGES file claims to be %1 letters long, more than there are; the file is damaged.</source>
@@ -2646,7 +2646,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the IGES file has &quot;%1&quot; in place of a number; it is damaged, export it again.</source>
-        <translation>in der IGES-Datei steht „%1“ an der Stelle einer Zahl; sie ist beschädigt, exportieren Sie sie noch einmal.</translation>
+        <translation>in der IGES-Datei steht „%1“ an der Stelle einer Zahl; sie ist beschädigt, noch einmal exportieren.</translation>
     </message>
     <message>
         <source>an entity of type %1 in the IGES file claims %2 values and has %3; the file is damaged.</source>
@@ -2654,7 +2654,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>line %1 of section D of the IGES file has another number; lines are lost, get the file again.</source>
-        <translation>Zeile %1 im Abschnitt D der IGES-Datei hat eine andere Nummer; Zeilen sind verloren, besorgen Sie die Datei noch einmal.</translation>
+        <translation>Zeile %1 im Abschnitt D der IGES-Datei hat eine andere Nummer; Zeilen sind verloren, die Datei noch einmal besorgen.</translation>
     </message>
     <message>
         <source>has its values twice</source>
@@ -2666,7 +2666,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>entity %1 of the IGES file holds itself, or the entities are nested more than %2 deep; export it again.</source>
-        <translation>Element %1 der IGES-Datei enthält sich selbst, oder die Elemente sind mehr als %2-fach verschachtelt; exportieren Sie sie noch einmal.</translation>
+        <translation>Element %1 der IGES-Datei enthält sich selbst, oder die Elemente sind mehr als %2-fach verschachtelt; noch einmal exportieren.</translation>
     </message>
     <message>
         <source>refers to one without values</source>
@@ -2690,7 +2690,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>entity %1 of the IGES file (type %2) %3; the file is damaged, export it again.</source>
-        <translation>Element %1 der IGES-Datei (Typ %2) %3; die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+        <translation>Element %1 der IGES-Datei (Typ %2) %3; die Datei ist beschädigt, noch einmal exportieren.</translation>
     </message>
 </context>
 <context>
@@ -2701,55 +2701,55 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the CAD reader gave up (%1); the file is damaged, export it again.</source>
-        <translation>der CAD-Leser gab auf (%1); die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+        <translation>der CAD-Leser gab auf (%1); die Datei ist beschädigt, noch einmal exportieren.</translation>
     </message>
     <message>
         <source>the assembly is nested more than %1 levels deep; export a part of it.</source>
-        <translation>die Baugruppe ist mehr als %1 Ebenen tief verschachtelt; exportieren Sie einen Teil davon.</translation>
+        <translation>die Baugruppe ist mehr als %1 Ebenen tief verschachtelt; einen Teil davon exportieren.</translation>
     </message>
     <message>
         <source>the assembly has more than %1 parts; export the parts you need.</source>
-        <translation>die Baugruppe hat mehr als %1 Teile; exportieren Sie die Teile, die Sie brauchen.</translation>
+        <translation>die Baugruppe hat mehr als %1 Teile; nur die benötigten Teile exportieren.</translation>
     </message>
     <message>
         <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
-        <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; prüfen Sie die Größen der Teile.</translation>
+        <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; die Größen der Teile prüfen.</translation>
     </message>
     <message>
         <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
-        <translation>%1: sein Schema „%2“ ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
+        <translation>%1: sein Schema „%2“ ist keines für CAD-Teile; prüfen, dass nichts fehlt.</translation>
     </message>
     <message>
         <source>the STEP text has errors that the reader cannot get over; export the file again.</source>
-        <translation>der STEP-Text hat Fehler, über die der Leser nicht hinwegkommt; exportieren Sie die Datei noch einmal.</translation>
+        <translation>der STEP-Text hat Fehler, über die der Leser nicht hinwegkommt; die Datei noch einmal exportieren.</translation>
     </message>
     <message>
         <source>an assembly in the file holds itself; export the file again, or its parts one by one.</source>
-        <translation>eine Baugruppe in der Datei enthält sich selbst; exportieren Sie die Datei noch einmal, oder ihre Teile einzeln.</translation>
+        <translation>eine Baugruppe in der Datei enthält sich selbst; die Datei noch einmal exportieren, oder ihre Teile einzeln.</translation>
     </message>
     <message>
         <source>the assembly unfolds to more than %1 parts; export the parts you need.</source>
-        <translation>die Baugruppe entfaltet sich zu mehr als %1 Teilen; exportieren Sie die Teile, die Sie brauchen.</translation>
+        <translation>die Baugruppe entfaltet sich zu mehr als %1 Teilen; nur die benötigten Teile exportieren.</translation>
     </message>
     <message>
         <source>no shape of the STEP file could be made; export the file again.</source>
-        <translation>aus der STEP-Datei ließ sich keine Form machen; exportieren Sie die Datei noch einmal.</translation>
+        <translation>aus der STEP-Datei ließ sich keine Form machen; die Datei noch einmal exportieren.</translation>
     </message>
     <message>
         <source>the IGES text has errors that the reader cannot get over; export the file again, best as STEP.</source>
-        <translation>der IGES-Text hat Fehler, über die der Leser nicht hinwegkommt; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+        <translation>der IGES-Text hat Fehler, über die der Leser nicht hinwegkommt; die Datei noch einmal exportieren, am besten als STEP.</translation>
     </message>
     <message>
         <source>no shape of the IGES file could be made; export the file again, best as STEP.</source>
-        <translation>aus der IGES-Datei ließ sich keine Form machen; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+        <translation>aus der IGES-Datei ließ sich keine Form machen; die Datei noch einmal exportieren, am besten als STEP.</translation>
     </message>
     <message>
         <source>the BREP file is cut off or damaged; get it again.</source>
-        <translation>die BREP-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+        <translation>die BREP-Datei ist abgeschnitten oder beschädigt; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the BREP file is damaged, or newer than the reader; save it again in an older version.</source>
-        <translation>die BREP-Datei ist beschädigt oder neuer als der Leser; speichern Sie sie noch einmal in einer älteren Version.</translation>
+        <translation>die BREP-Datei ist beschädigt oder neuer als der Leser; noch einmal in einer älteren Version speichern.</translation>
     </message>
     <message>
         <source>The solid was inside out and has been turned.</source>
@@ -2781,7 +2781,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>does not pass the geometry checks; look at it closely before you trust it.</source>
-        <translation>besteht die Prüfungen der Geometrie nicht; sehen Sie genau hin, bevor Sie ihm trauen.</translation>
+        <translation>besteht die Prüfungen der Geometrie nicht; vor dem Gebrauch genau ansehen.</translation>
     </message>
     <message>
         <source>has gaps of up to %1, a hundredth of its size or more.</source>
@@ -2801,11 +2801,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
-        <translation>es hat keine endliche Größe: Zahlen darin sind beschädigt, oder seine Kanten sind kleiner als 0.1 um und verloren; prüfen Sie die Längeneinheit</translation>
+        <translation>es hat keine endliche Größe: Zahlen darin sind beschädigt, oder seine Kanten sind kleiner als 0.1 um und verloren; die Längeneinheit prüfen</translation>
     </message>
     <message>
         <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
-        <translation>es reicht weiter als 100 km vom Ursprung; prüfen Sie Längeneinheit und Lage</translation>
+        <translation>es reicht weiter als 100 km vom Ursprung; Längeneinheit und Lage prüfen</translation>
     </message>
     <message>
         <source>its faces lead far away from their edges: numbers in it are damaged</source>
@@ -2813,7 +2813,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>it is smaller than a micrometre; check the length unit</source>
-        <translation>es ist kleiner als ein Mikrometer; prüfen Sie die Längeneinheit</translation>
+        <translation>es ist kleiner als ein Mikrometer; die Längeneinheit prüfen</translation>
     </message>
     <message>
         <source>its faces and edges are up to %1 apart, at a size of %2</source>
@@ -2829,7 +2829,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the file holds no solid and no surface; export the part as a solid.</source>
-        <translation>die Datei enthält keinen Körper und keine Fläche; exportieren Sie das Teil als Körper.</translation>
+        <translation>die Datei enthält keinen Körper und keine Fläche; das Teil als Körper exportieren.</translation>
     </message>
     <message>
         <source>%1 Of %2 parts like that none is left.</source>
@@ -2837,19 +2837,19 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>this version of BREP is unknown (&quot;%1&quot;); save the file in an older version.</source>
-        <translation>diese Version von BREP ist unbekannt („%1“); speichern Sie die Datei in einer älteren Version.</translation>
+        <translation>diese Version von BREP ist unbekannt („%1“); die Datei in einer älteren Version speichern.</translation>
     </message>
     <message>
         <source>the BREP file states an impossible number of %1; it is damaged, get it again.</source>
-        <translation>die BREP-Datei nennt eine unmögliche Anzahl für %1; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+        <translation>die BREP-Datei nennt eine unmögliche Anzahl für %1; sie ist beschädigt, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the BREP file is cut off or damaged: sections are missing; get it again.</source>
-        <translation>die BREP-Datei ist abgeschnitten oder beschädigt: Abschnitte fehlen; besorgen Sie sie noch einmal.</translation>
+        <translation>die BREP-Datei ist abgeschnitten oder beschädigt: Abschnitte fehlen; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the file cannot be opened; check that you may read it.</source>
-        <translation>die Datei lässt sich nicht öffnen; prüfen Sie, ob Sie sie lesen dürfen.</translation>
+        <translation>die Datei lässt sich nicht öffnen; die Leserechte prüfen.</translation>
     </message>
     <message>
         <source>the file cannot be read; the disk or the connection to it failed.</source>
@@ -2877,15 +2877,15 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>this is a JSON text, but no glTF (&quot;asset&quot; is missing in it); export the part as STEP.</source>
-        <translation>das ist ein JSON-Text, aber kein glTF („asset“ fehlt darin); exportieren Sie das Teil als STEP.</translation>
+        <translation>das ist ein JSON-Text, aber kein glTF („asset“ fehlt darin); das Teil als STEP exportieren.</translation>
     </message>
     <message>
         <source>this is a text, but none of %1; export the part as STEP.</source>
-        <translation>das ist ein Text, aber nichts von %1; exportieren Sie das Teil als STEP.</translation>
+        <translation>das ist ein Text, aber nichts von %1; das Teil als STEP exportieren.</translation>
     </message>
     <message>
         <source>the content is none of %1; export the part as STEP.</source>
-        <translation>der Inhalt ist nichts von %1; exportieren Sie das Teil als STEP.</translation>
+        <translation>der Inhalt ist nichts von %1; das Teil als STEP exportieren.</translation>
     </message>
     <message>
         <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
@@ -2897,43 +2897,43 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>this is a gzip archive; unpack it and open the file inside.</source>
-        <translation>das ist ein gzip-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein gzip-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is a bzip2 archive; unpack it and open the file inside.</source>
-        <translation>das ist ein bzip2-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein bzip2-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is a 7z archive; unpack it and open the file inside.</source>
-        <translation>das ist ein 7z-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein 7z-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is an xz archive; unpack it and open the file inside.</source>
-        <translation>das ist ein xz-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein xz-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is a zstd archive; unpack it and open the file inside.</source>
-        <translation>das ist ein zstd-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein zstd-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is a rar archive; unpack it and open the file inside.</source>
-        <translation>das ist ein rar-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein rar-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>this is a tar archive; unpack it and open the file inside.</source>
-        <translation>das ist ein tar-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein tar-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.</source>
-        <translation>der Text ist UTF-16; speichern Sie ihn als einfachen Text (ASCII oder UTF-8) und öffnen Sie ihn noch einmal.</translation>
+        <translation>der Text ist UTF-16; als einfachen Text (ASCII oder UTF-8) speichern und noch einmal öffnen.</translation>
     </message>
     <message>
         <source>this is a PDF document; ask for the STEP file of the part.</source>
-        <translation>das ist ein PDF-Dokument; bitten Sie um die STEP-Datei des Teils.</translation>
+        <translation>das ist ein PDF-Dokument; um die STEP-Datei des Teils bitten.</translation>
     </message>
     <message>
         <source>this is a picture; ask for the STEP file of the part.</source>
-        <translation>das ist ein Bild; bitten Sie um die STEP-Datei des Teils.</translation>
+        <translation>das ist ein Bild; um die STEP-Datei des Teils bitten.</translation>
     </message>
     <message>
         <source>this is a database, not a CAD or mesh file.</source>
@@ -2941,11 +2941,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>this is a native file of another program; export it as STEP there.</source>
-        <translation>das ist eine eigene Datei eines anderen Programms; exportieren Sie sie dort als STEP.</translation>
+        <translation>das ist eine eigene Datei eines anderen Programms; sie dort als STEP exportieren.</translation>
     </message>
     <message>
         <source>this is an AutoCAD drawing (DWG); export the part as STEP there.</source>
-        <translation>das ist eine AutoCAD-Zeichnung (DWG); exportieren Sie das Teil dort als STEP.</translation>
+        <translation>das ist eine AutoCAD-Zeichnung (DWG); das Teil dort als STEP exportieren.</translation>
     </message>
     <message>
         <source>this is a program, not a CAD or mesh file.</source>
@@ -2957,83 +2957,83 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).</source>
-        <translation>das ist STEP als XML (Teil 28, stpx), das hier nicht gelesen wird; exportieren Sie das Teil als STEP-Text (stp).</translation>
+        <translation>das ist STEP als XML (Teil 28, stpx), das hier nicht gelesen wird; das Teil als STEP-Text (stp) exportieren.</translation>
     </message>
     <message>
         <source>this is an XML text and not one of the files that are read here; export the part as STEP.</source>
-        <translation>das ist ein XML-Text und keine der Dateien, die hier gelesen werden; exportieren Sie das Teil als STEP.</translation>
+        <translation>das ist ein XML-Text und keine der Dateien, die hier gelesen werden; das Teil als STEP exportieren.</translation>
     </message>
     <message>
         <source>this is a zip archive that is cut off or damaged; get it again.</source>
-        <translation>das ist ein zip-Archiv, das abgeschnitten oder beschädigt ist; besorgen Sie es noch einmal.</translation>
+        <translation>das ist ein zip-Archiv, das abgeschnitten oder beschädigt ist; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>this is a Word document; ask for the STEP file of the part.</source>
-        <translation>das ist ein Word-Dokument; bitten Sie um die STEP-Datei des Teils.</translation>
+        <translation>das ist ein Word-Dokument; um die STEP-Datei des Teils bitten.</translation>
     </message>
     <message>
         <source>this is an Excel workbook; ask for the STEP file of the part.</source>
-        <translation>das ist eine Excel-Arbeitsmappe; bitten Sie um die STEP-Datei des Teils.</translation>
+        <translation>das ist eine Excel-Arbeitsmappe; um die STEP-Datei des Teils bitten.</translation>
     </message>
     <message>
         <source>this is a PowerPoint presentation; ask for the STEP file of the part.</source>
-        <translation>das ist eine PowerPoint-Präsentation; bitten Sie um die STEP-Datei des Teils.</translation>
+        <translation>das ist eine PowerPoint-Präsentation; um die STEP-Datei des Teils bitten.</translation>
     </message>
     <message>
         <source>this is a FreeCAD document; export the part as STEP there.</source>
-        <translation>das ist ein FreeCAD-Dokument; exportieren Sie das Teil dort als STEP.</translation>
+        <translation>das ist ein FreeCAD-Dokument; das Teil dort als STEP exportieren.</translation>
     </message>
     <message>
         <source>this is a zip archive that holds &quot;%1&quot; (compressed STEP, stpz); unpack it and open that file.</source>
-        <translation>das ist ein zip-Archiv, das „%1“ enthält (komprimiertes STEP, stpz); entpacken Sie es und öffnen Sie diese Datei.</translation>
+        <translation>das ist ein zip-Archiv, das „%1“ enthält (komprimiertes STEP, stpz); entpacken und diese Datei öffnen.</translation>
     </message>
     <message>
         <source>this is a zip archive; unpack it and open the file inside.</source>
-        <translation>das ist ein zip-Archiv; entpacken Sie es und öffnen Sie die Datei darin.</translation>
+        <translation>das ist ein zip-Archiv; entpacken und die Datei darin öffnen.</translation>
     </message>
     <message>
         <source>the %1 file is damaged and cannot be read; export it again.</source>
-        <translation>die Datei (%1) ist beschädigt und kann nicht gelesen werden; exportieren Sie sie noch einmal.</translation>
+        <translation>die Datei (%1) ist beschädigt und kann nicht gelesen werden; noch einmal exportieren.</translation>
     </message>
     <message>
         <source>the GLB is damaged, or of another version than 2; export it again as glTF 2.0.</source>
-        <translation>die GLB-Datei ist beschädigt oder von einer anderen Version als 2; exportieren Sie sie noch einmal als glTF 2.0.</translation>
+        <translation>die GLB-Datei ist beschädigt oder von einer anderen Version als 2; noch einmal als glTF 2.0 exportieren.</translation>
     </message>
     <message>
         <source>the GLB is cut off or damaged; get it again.</source>
-        <translation>die GLB-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+        <translation>die GLB-Datei ist abgeschnitten oder beschädigt; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>this is a glTF of version unknown, but only 2 can be read; export it again as glTF 2.0.</source>
-        <translation>das ist glTF einer unbekannten Version, lesbar ist nur 2; exportieren Sie es noch einmal als glTF 2.0.</translation>
+        <translation>das ist glTF einer unbekannten Version, lesbar ist nur 2; noch einmal als glTF 2.0 exportieren.</translation>
     </message>
     <message>
         <source>this is a glTF of version %1, but only 2 can be read; export it again as glTF 2.0.</source>
-        <translation>das ist glTF der Version %1, lesbar ist nur 2; exportieren Sie es noch einmal als glTF 2.0.</translation>
+        <translation>das ist glTF der Version %1, lesbar ist nur 2; noch einmal als glTF 2.0 exportieren.</translation>
     </message>
     <message>
         <source>the glTF is compressed (%1), which is not read here; export it without compression.</source>
-        <translation>die glTF-Datei ist komprimiert (%1), was hier nicht gelesen wird; exportieren Sie sie ohne Komprimierung.</translation>
+        <translation>die glTF-Datei ist komprimiert (%1), was hier nicht gelesen wird; sie ohne Komprimierung exportieren.</translation>
     </message>
     <message>
         <source>the glTF keeps its numbers in &quot;%1&quot;, which is not beside it; put it there.</source>
-        <translation>die glTF-Datei hat ihre Zahlen in „%1“, das nicht neben ihr liegt; legen Sie es dorthin.</translation>
+        <translation>die glTF-Datei hat ihre Zahlen in „%1“, das nicht neben ihr liegt; es dorthin legen.</translation>
     </message>
     <message>
         <source>a node of the glTF is in two others; the file is damaged, export it again.</source>
-        <translation>ein Knoten der glTF-Datei steckt in zwei anderen; die Datei ist beschädigt, exportieren Sie sie noch einmal.</translation>
+        <translation>ein Knoten der glTF-Datei steckt in zwei anderen; die Datei ist beschädigt, noch einmal exportieren.</translation>
     </message>
     <message>
         <source>nodes of the glTF hold themselves or are nested more than %1 deep; export it again.</source>
-        <translation>Knoten der glTF-Datei enthalten sich selbst oder sind mehr als %1-fach verschachtelt; exportieren Sie sie noch einmal.</translation>
+        <translation>Knoten der glTF-Datei enthalten sich selbst oder sind mehr als %1-fach verschachtelt; noch einmal exportieren.</translation>
     </message>
     <message>
         <source>the glTF file is cut off or damaged; get it again.</source>
-        <translation>die glTF-Datei ist abgeschnitten oder beschädigt; besorgen Sie sie noch einmal.</translation>
+        <translation>die glTF-Datei ist abgeschnitten oder beschädigt; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the %1 file has triangles with corners that are not there; it is damaged, get it again.</source>
-        <translation>die Datei (%1) hat Dreiecke mit Ecken, die es nicht gibt; sie ist beschädigt, besorgen Sie sie noch einmal.</translation>
+        <translation>die Datei (%1) hat Dreiecke mit Ecken, die es nicht gibt; sie ist beschädigt, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
@@ -3045,31 +3045,31 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the line &quot;%1&quot; in the header of the PLY file is damaged; get it again.</source>
-        <translation>die Zeile „%1“ im Kopf der PLY-Datei ist beschädigt; besorgen Sie sie noch einmal.</translation>
+        <translation>die Zeile „%1“ im Kopf der PLY-Datei ist beschädigt; noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the header of the PLY file has no end; it is cut off or damaged, get it again.</source>
-        <translation>der Kopf der PLY-Datei hat kein Ende; sie ist abgeschnitten oder beschädigt, besorgen Sie sie noch einmal.</translation>
+        <translation>der Kopf der PLY-Datei hat kein Ende; sie ist abgeschnitten oder beschädigt, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the PLY file holds fewer numbers than its header promises; it is cut off, get it again.</source>
-        <translation>die PLY-Datei enthält weniger Zahlen, als ihr Kopf verspricht; sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+        <translation>die PLY-Datei enthält weniger Zahlen, als ihr Kopf verspricht; sie ist abgeschnitten, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
-        <translation>%1: die 3MF-Datei hält sich an 1 Stelle nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+        <translation>%1: die 3MF-Datei hält sich an 1 Stelle nicht an das Format; die Teile mit dem Programm vergleichen, das sie schrieb.</translation>
     </message>
     <message>
         <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
-        <translation>%1: die 3MF-Datei hält sich an %2 Stellen nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+        <translation>%1: die 3MF-Datei hält sich an %2 Stellen nicht an das Format; die Teile mit dem Programm vergleichen, das sie schrieb.</translation>
     </message>
     <message>
         <source>the 3MF builds no object; export it again with the parts in its build.</source>
-        <translation>die 3MF-Datei baut kein Objekt; exportieren Sie sie noch einmal mit den Teilen in ihrem Bau.</translation>
+        <translation>die 3MF-Datei baut kein Objekt; noch einmal mit den Teilen in ihrem Bau exportieren.</translation>
     </message>
     <message>
         <source>the 3MF unfolds to more than %1 objects, or nests them more than %2 deep; export the parts you need.</source>
-        <translation>die 3MF-Datei entfaltet sich zu mehr als %1 Objekten oder verschachtelt sie mehr als %2-fach; exportieren Sie die Teile, die Sie brauchen.</translation>
+        <translation>die 3MF-Datei entfaltet sich zu mehr als %1 Objekten oder verschachtelt sie mehr als %2-fach; nur die benötigten Teile exportieren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no triangles.</source>
@@ -3077,11 +3077,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the 3MF unfolds to more than 200 million triangles; export the parts you need.</source>
-        <translation>die 3MF-Datei entfaltet sich zu mehr als 200 Millionen Dreiecken; exportieren Sie die Teile, die Sie brauchen.</translation>
+        <translation>die 3MF-Datei entfaltet sich zu mehr als 200 Millionen Dreiecken; nur die benötigten Teile exportieren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no length unit; choose one of %2.</source>
-        <translation>„%1“ ist keine Längeneinheit; wählen Sie eine von %2.</translation>
+        <translation>„%1“ ist keine Längeneinheit; eine von %2 wählen.</translation>
     </message>
     <message>
         <source>Nothing was imported; the file is damaged, or needs a longer time limit.</source>
@@ -3089,11 +3089,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Nothing was imported; export the file again, best as STEP.</source>
-        <translation>Nichts wurde importiert; exportieren Sie die Datei noch einmal, am besten als STEP.</translation>
+        <translation>Nichts wurde importiert; die Datei noch einmal exportieren, am besten als STEP.</translation>
     </message>
     <message>
         <source>the reader&apos;s result is damaged (%1). Nothing was imported; try again.</source>
-        <translation>das Ergebnis des Lesers ist beschädigt (%1). Nichts wurde importiert; versuchen Sie es noch einmal.</translation>
+        <translation>das Ergebnis des Lesers ist beschädigt (%1). Nichts wurde importiert; noch einmal versuchen.</translation>
     </message>
     <message>
         <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
@@ -3476,7 +3476,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Ready. Open a part with Ctrl+O, or drop a file on the window.</source>
-        <translation>Bereit. Öffnen Sie ein Teil mit Strg+O oder legen Sie eine Datei auf das Fenster.</translation>
+        <translation>Bereit. Ein Teil mit Strg+O öffnen oder eine Datei auf das Fenster legen.</translation>
     </message>
     <message>
         <source>%1: cancelled, nothing has changed.</source>
@@ -3539,7 +3539,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>A rigid body has no stress to lose. Make it deformable first.</source>
-        <translation>Ein starrer Körper hat keine Spannung zu verlieren. Machen Sie ihn zuerst verformbar.</translation>
+        <translation>Ein starrer Körper hat keine Spannung zu verlieren. Ihn zuerst verformbar machen.</translation>
     </message>
     <message>
         <source>Re-normalization takes 0 to 3600 s.</source>
@@ -4037,15 +4037,15 @@ Simuliert: %2, Schritt %3
     <name>MaterialStore</name>
     <message>
         <source>Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.</source>
-        <translation>Ihre eigenen Materialien lassen sich nicht lesen: %1 Reparieren oder entfernen Sie die Datei; bis dahin kann keines gespeichert werden.</translation>
+        <translation>Die eigenen Materialien lassen sich nicht lesen: %1 Die Datei reparieren oder entfernen; bis dahin kann keines gespeichert werden.</translation>
     </message>
     <message>
         <source>A material needs a name: type one.</source>
-        <translation>Ein Material braucht einen Namen: tippen Sie einen.</translation>
+        <translation>Ein Material braucht einen Namen: einen tippen.</translation>
     </message>
     <message>
         <source>There is a material named &quot;%1&quot; already: choose another name.</source>
-        <translation>Ein Material namens „%1“ gibt es schon: wählen Sie einen anderen Namen.</translation>
+        <translation>Ein Material namens „%1“ gibt es schon: einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Saved by you</source>
@@ -4060,7 +4060,7 @@ Simuliert: %2, Schritt %3
     <name>MeasurePanel</name>
     <message>
         <source>Nothing is measured yet. Choose what to measure above, then click on the part; corners attract. Numbers follow the material while time runs.</source>
-        <translation>Noch wird nichts gemessen. Wählen Sie oben, was zu messen ist, und klicken Sie dann auf das Teil; Ecken ziehen den Zeiger an. Die Zahlen folgen dem Material, während die Zeit läuft.</translation>
+        <translation>Noch wird nichts gemessen. Oben wählen, was zu messen ist, dann auf das Teil klicken; Ecken ziehen den Zeiger an. Die Zahlen folgen dem Material, während die Zeit läuft.</translation>
     </message>
     <message>
         <source>Compare...</source>
@@ -4123,11 +4123,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The three places lie on a line: pick others, further around.</source>
-        <translation>Die drei Stellen liegen auf einer Geraden: wählen Sie andere, weiter um den Kreis verteilt.</translation>
+        <translation>Die drei Stellen liegen auf einer Geraden: andere wählen, weiter um den Kreis verteilt.</translation>
     </message>
     <message>
         <source>The face is flat and has no radius: click a round one, or measure with three places.</source>
-        <translation>Die Fläche ist eben und hat keinen Radius: klicken Sie eine runde an, oder messen Sie mit drei Stellen.</translation>
+        <translation>Die Fläche ist eben und hat keinen Radius: eine runde anklicken, oder mit drei Stellen messen.</translation>
     </message>
     <message>
         <source>The face is not quite round: it is up to %1 away from this radius.</source>
@@ -4287,7 +4287,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>which body the face %1 is of is not clear; put its name before it, as &quot;lid&quot;:%1, or its number from 0, as #0:%1.</source>
-        <translation>zu welchem Körper die Fläche %1 gehört, ist unklar; setzen Sie seinen Namen davor, etwa &quot;lid&quot;:%1, oder seine Nummer ab 0, etwa #0:%1.</translation>
+        <translation>zu welchem Körper die Fläche %1 gehört, ist unklar; seinen Namen davor setzen, etwa &quot;lid&quot;:%1, oder seine Nummer ab 0, etwa #0:%1.</translation>
     </message>
     <message>
         <source>there is no face %1; faces are numbered from 0, and meshes have none.</source>
@@ -4332,8 +4332,8 @@ Simuliert: %2, Schritt %3
         <translation>Mit Original vergleichen...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Größter und mittlerer Abstand, Volumen und Masse neben dem Original, und ein Bericht (Umschalt+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Größter und mittlerer Abstand, Volumen und Masse neben dem Original, und ein Bericht</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -4457,7 +4457,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The folder %1 cannot be shown: look for it with your file manager.</source>
-        <translation>Der Ordner %1 lässt sich nicht zeigen: suchen Sie ihn mit Ihrer Dateiverwaltung.</translation>
+        <translation>Der Ordner %1 lässt sich nicht zeigen: in der Dateiverwaltung danach suchen.</translation>
     </message>
     <message>
         <source>Take off the list</source>
@@ -4465,7 +4465,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>There is a selection called &quot;%1&quot; already: choose another name.</source>
-        <translation>Einen Auswahlsatz namens „%1“ gibt es schon: wählen Sie einen anderen Namen.</translation>
+        <translation>Einen Auswahlsatz namens „%1“ gibt es schon: einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Color of the part</source>
@@ -4514,15 +4514,15 @@ Simuliert: %2, Schritt %3
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
-        <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Wählen Sie eine kleinere.</translation>
+        <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Eine kleinere wählen.</translation>
     </message>
     <message>
         <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Andere Programme schließen und es noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
-        <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Starten Sie Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung, um ohne den Treiber aufzuzeichnen.</translation>
+        <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung starten, um ohne den Treiber aufzuzeichnen.</translation>
     </message>
 </context>
 <context>
@@ -4609,7 +4609,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Open a part and press play to see where the time goes.</source>
-        <translation>Öffnen Sie ein Teil und drücken Sie Starten, um zu sehen, wohin die Zeit geht.</translation>
+        <translation>Ein Teil öffnen und Starten drücken, um zu sehen, wohin die Zeit geht.</translation>
     </message>
     <message>
         <source>%1, %2 step of %3 per frame</source>
@@ -4656,11 +4656,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>There is nothing at that place: click on a part.</source>
-        <translation>An dieser Stelle ist nichts: klicken Sie auf ein Teil.</translation>
+        <translation>An dieser Stelle ist nichts: auf ein Teil klicken.</translation>
     </message>
     <message>
         <source>This part is a mesh without CAD faces: measure it with places instead.</source>
-        <translation>Dieses Teil ist ein Netz ohne CAD-Flächen: messen Sie es stattdessen mit Stellen.</translation>
+        <translation>Dieses Teil ist ein Netz ohne CAD-Flächen: es stattdessen mit Stellen messen.</translation>
     </message>
 </context>
 <context>
@@ -4699,7 +4699,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Names that you gave, and what the command line says, stay as they are.</source>
-        <translation>Namen, die Sie vergeben haben, und was die Befehlszeile sagt, bleiben wie sie sind.</translation>
+        <translation>Selbst vergebene Namen, und was die Befehlszeile sagt, bleiben wie sie sind.</translation>
     </message>
     <message>
         <source>Lengths in</source>
@@ -4913,7 +4913,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of what was simulated before.</source>
-        <translation>Noch keine Sonden. Setzen Sie eine auf das Teil: sie geht mit dem Material mit und trägt auf, was sie misst, auch aus dem, was davor simuliert wurde.</translation>
+        <translation>Noch keine Sonden. Eine auf das Teil setzen: sie geht mit dem Material mit und trägt auf, was sie misst, auch aus dem, was davor simuliert wurde.</translation>
     </message>
     <message>
         <source>What is plotted over time</source>
@@ -4966,8 +4966,8 @@ Simuliert: %2, Schritt %3
         <translation>Sonde setzen</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht</translation>
     </message>
 </context>
 <context>
@@ -4994,7 +4994,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Another window works on this: discard it there.</source>
-        <translation>Ein anderes Fenster arbeitet daran: verwerfen Sie es dort.</translation>
+        <translation>Ein anderes Fenster arbeitet daran: es dort verwerfen.</translation>
     </message>
     <message>
         <source>it cannot be unpacked</source>
@@ -5014,7 +5014,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the file cannot be read; check its permissions.</source>
-        <translation>die Datei kann nicht gelesen werden; prüfen Sie ihre Rechte.</translation>
+        <translation>die Datei kann nicht gelesen werden; ihre Rechte prüfen.</translation>
     </message>
     <message>
         <source>the file is empty.</source>
@@ -5034,11 +5034,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>there is a folder of this name; choose another name.</source>
-        <translation>es gibt einen Ordner dieses Namens; wählen Sie einen anderen Namen.</translation>
+        <translation>es gibt einen Ordner dieses Namens; einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>the file is read-only; save the project under another name.</source>
-        <translation>die Datei ist schreibgeschützt; speichern Sie das Projekt unter einem anderen Namen.</translation>
+        <translation>die Datei ist schreibgeschützt; das Projekt unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>its tables are not those of a project</source>
@@ -5046,7 +5046,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>a newer Knead saved this project (version %1 of the file; this program reads up to %2). Update Knead to open it.</source>
-        <translation>ein neueres Knead hat dieses Projekt gespeichert (Version %1 der Datei; dieses Programm liest bis %2). Aktualisieren Sie Knead, um es zu öffnen.</translation>
+        <translation>ein neueres Knead hat dieses Projekt gespeichert (Version %1 der Datei; dieses Programm liest bis %2). Knead aktualisieren, um es zu öffnen.</translation>
     </message>
     <message>
         <source>what was written cannot be read back: %1</source>
@@ -5054,19 +5054,19 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>nothing of this project can be read any more; open a copy of it, or the part that it was made from.</source>
-        <translation>von diesem Projekt lässt sich nichts mehr lesen; öffnen Sie eine Kopie davon oder das Teil, aus dem es entstand.</translation>
+        <translation>von diesem Projekt lässt sich nichts mehr lesen; eine Kopie davon öffnen oder das Teil, aus dem es entstand.</translation>
     </message>
     <message>
         <source>another window works on it. Close it there, or open a copy.</source>
-        <translation>ein anderes Fenster arbeitet daran. Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+        <translation>ein anderes Fenster arbeitet daran. Es dort schließen, oder eine Kopie öffnen.</translation>
     </message>
     <message>
         <source>another window of this program works on it. Close it there, or open a copy.</source>
-        <translation>ein anderes Fenster dieses Programms arbeitet daran. Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+        <translation>ein anderes Fenster dieses Programms arbeitet daran. Es dort schließen, oder eine Kopie öffnen.</translation>
     </message>
     <message>
         <source>another window works on it (process %1 on %2, since %3). Close it there, or open a copy.</source>
-        <translation>ein anderes Fenster arbeitet daran (Prozess %1 auf %2, seit %3). Schließen Sie es dort, oder öffnen Sie eine Kopie.</translation>
+        <translation>ein anderes Fenster arbeitet daran (Prozess %1 auf %2, seit %3). Es dort schließen, oder eine Kopie öffnen.</translation>
     </message>
     <message>
         <source>a fixture is of a body that is not there</source>
@@ -5166,11 +5166,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The work cannot be kept for recovery (%1). Save the project, and make room in %2.</source>
-        <translation>Die Arbeit kann nicht für die Wiederherstellung aufbewahrt werden (%1). Speichern Sie das Projekt, und schaffen Sie Platz in %2.</translation>
+        <translation>Die Arbeit kann nicht für die Wiederherstellung aufbewahrt werden (%1). Das Projekt speichern, und Platz in %2 schaffen.</translation>
     </message>
     <message>
         <source>Nothing of the work that was kept in %1 can be read any more. Discard it, and open what was saved last.</source>
-        <translation>Von der Arbeit, die in %1 aufbewahrt wurde, lässt sich nichts mehr lesen. Verwerfen Sie sie, und öffnen Sie, was zuletzt gespeichert wurde.</translation>
+        <translation>Von der Arbeit, die in %1 aufbewahrt wurde, lässt sich nichts mehr lesen. Die Arbeit verwerfen, und öffnen, was zuletzt gespeichert wurde.</translation>
     </message>
     <message>
         <source>its folder cannot be locked</source>
@@ -5178,7 +5178,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Another window works on this already, or it was discarded: look for it there.</source>
-        <translation>Ein anderes Fenster arbeitet schon daran, oder es wurde verworfen: sehen Sie dort nach.</translation>
+        <translation>Ein anderes Fenster arbeitet schon daran, oder es wurde verworfen: dort nachsehen.</translation>
     </message>
     <message>
         <source>row %1 of the table %2</source>
@@ -5207,6 +5207,22 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
         <translation>%1: was zuletzt zu sehen war, kann nicht gezeigt werden. %2 Was heil ist, kann gerettet werden.</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>what entries are called</source>
+        <translation>wie Einträge heißen</translation>
+    </message>
+    <message>
+        <source>what entry %1 is called</source>
+        <translation>wie Eintrag %1 heißt</translation>
+    </message>
+    <message>
+        <source>it is no sentence</source>
+        <translation>es ist kein Satz</translation>
     </message>
 </context>
 <context>
@@ -5237,7 +5253,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab.</translation>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen.</translation>
     </message>
     <message>
         <source>Open a copy</source>
@@ -5277,11 +5293,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 is there already: choose another name, or choose that file.</source>
-        <translation>%1 gibt es schon: wählen Sie einen anderen Namen oder diese Datei.</translation>
+        <translation>%1 gibt es schon: einen anderen Namen oder diese Datei wählen.</translation>
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, and save again.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab, und speichern Sie dann.</translation>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen, und dann speichern.</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -5328,11 +5344,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
-        <translation>%1 ist nicht mehr da. Vielleicht wurde es verschoben: suchen Sie es mit Strg+O.</translation>
+        <translation>%1 ist nicht mehr da. Vielleicht wurde es verschoben: es mit Strg+O suchen.</translation>
     </message>
     <message>
         <source>A project is opened alone: choose one file, or only parts.</source>
-        <translation>Ein Projekt wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
+        <translation>Ein Projekt wird allein geöffnet: eine Datei oder nur Teile wählen.</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -5350,11 +5366,11 @@ Simuliert: %2, Schritt %3
     <name>PullHand</name>
     <message>
         <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
-        <translation>%1 verformt sich nicht: machen Sie es in den Eigenschaften verformbar, oder drücken Sie es mit einem Werkzeug.</translation>
+        <translation>%1 verformt sich nicht: es in den Eigenschaften verformbar machen, oder es mit einem Werkzeug drücken.</translation>
     </message>
     <message>
         <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
-        <translation>%1 wird an dieser Stelle gehalten: geben Sie sie mit „Flächen fixieren“ frei, oder ziehen Sie an einer anderen.</translation>
+        <translation>%1 wird an dieser Stelle gehalten: sie mit „Flächen fixieren“ freigeben, oder an einer anderen ziehen.</translation>
     </message>
     <message>
         <source>Pull %1</source>
@@ -5403,15 +5419,15 @@ Simuliert: %2, Schritt %3
     <name>ReadProject</name>
     <message>
         <source>%1 was written after this work was cut off, and stays as it is: save the work under a name of its own, or in place of that file.</source>
-        <translation>%1 wurde geschrieben, nachdem diese Arbeit abgebrochen war, und bleibt, wie es ist: speichern Sie die Arbeit unter einem eigenen Namen oder anstelle jener Datei.</translation>
+        <translation>%1 wurde geschrieben, nachdem diese Arbeit abgebrochen war, und bleibt, wie es ist: die Arbeit unter einem eigenen Namen oder anstelle jener Datei speichern.</translation>
     </message>
     <message>
         <source>%1 stays as it is, since the recovered work is not whole: save the work under a name of its own, or in place of that file.</source>
-        <translation>%1 bleibt, wie es ist, denn die wiederhergestellte Arbeit ist nicht vollständig: speichern Sie die Arbeit unter einem eigenen Namen oder anstelle jener Datei.</translation>
+        <translation>%1 bleibt, wie es ist, denn die wiederhergestellte Arbeit ist nicht vollständig: die Arbeit unter einem eigenen Namen oder anstelle jener Datei speichern.</translation>
     </message>
     <message>
         <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
-        <translation>Die Teile dieses Projekts sind verloren, sodass nichts davon gezeigt werden kann. Öffnen Sie das Teil, aus dem es gemacht wurde.</translation>
+        <translation>Die Teile dieses Projekts sind verloren, sodass nichts davon gezeigt werden kann. Das Teil öffnen, aus dem es gemacht wurde.</translation>
     </message>
 </context>
 <context>
@@ -5422,11 +5438,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 names objects of a body that was filled anew with %2, and here it was filled anew with %3. Name a box instead, or keep the spacing and what is done before.</source>
-        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier wurde er mit %3 neu gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei und was davor getan wird.</translation>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier wurde er mit %3 neu gefüllt. Stattdessen einen Quader nennen, oder den Abstand beibehalten und was davor getan wird.</translation>
     </message>
     <message>
         <source>%1 names objects of a body that was filled anew with %2, and here it is filled with the first %3. Name a box instead, or keep the spacing and what is done before.</source>
-        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier ist er mit den ersten %3 gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei und was davor getan wird.</translation>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 neu gefüllt wurde, und hier ist er mit den ersten %3 gefüllt. Stattdessen einen Quader nennen, oder den Abstand beibehalten und was davor getan wird.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not closed and is left out.</source>
@@ -5442,7 +5458,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 names faces, but &quot;%2&quot; is a mesh without CAD faces; use box_mm.</source>
-        <translation>%1 nennt Flächen, aber „%2“ ist ein Netz ohne CAD-Flächen; verwenden Sie box_mm.</translation>
+        <translation>%1 nennt Flächen, aber „%2“ ist ein Netz ohne CAD-Flächen; box_mm verwenden.</translation>
     </message>
     <message>
         <source>%1 names the face %2, but &quot;%3&quot; has faces 0 to %4.</source>
@@ -5450,7 +5466,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 names faces of one body among several; add the key body.</source>
-        <translation>%1 nennt Flächen eines Körpers unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+        <translation>%1 nennt Flächen eines Körpers unter mehreren; den Schlüssel body hinzufügen.</translation>
     </message>
     <message>
         <source>%1 holds nothing: no object lies there.</source>
@@ -5466,11 +5482,11 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 names objects of one body among several; add the key body.</source>
-        <translation>%1 nennt Objekte eines Körpers unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+        <translation>%1 nennt Objekte eines Körpers unter mehreren; den Schlüssel body hinzufügen.</translation>
     </message>
     <message>
         <source>%1 names objects of a body that is filled with %2, and here it is filled with %3. Name a box instead, or keep the spacing.</source>
-        <translation>%1 nennt Objekte eines Körpers, der mit %2 gefüllt ist, und hier ist er mit %3 gefüllt. Nennen Sie stattdessen einen Quader, oder behalten Sie den Abstand bei.</translation>
+        <translation>%1 nennt Objekte eines Körpers, der mit %2 gefüllt ist, und hier ist er mit %3 gefüllt. Stattdessen einen Quader nennen, oder den Abstand beibehalten.</translation>
     </message>
     <message>
         <source>the fixture &quot;%1&quot;</source>
@@ -5482,7 +5498,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 is on one body among several; add the key body.</source>
-        <translation>%1 wirkt auf einen Körper unter mehreren; fügen Sie den Schlüssel body hinzu.</translation>
+        <translation>%1 wirkt auf einen Körper unter mehreren; den Schlüssel body hinzufügen.</translation>
     </message>
     <message>
         <source>%1 acts on nothing: no surface lies there.</source>
@@ -5622,7 +5638,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>needs an event with a step; say keyframes for times.</source>
-        <translation>braucht ein Ereignis mit einem Schritt (step); für Zeiten nehmen Sie keyframes.</translation>
+        <translation>braucht ein Ereignis mit einem Schritt (step); für Zeiten keyframes nehmen.</translation>
     </message>
     <message>
         <source>must have only one of the keys path and %1.</source>
@@ -5694,7 +5710,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>must be true; leave it out to say another motion.</source>
-        <translation>muss true sein; lassen Sie es weg, um eine andere Bewegung anzugeben.</translation>
+        <translation>muss true sein; weglassen, um eine andere Bewegung anzugeben.</translation>
     </message>
     <message>
         <source>must hold a step and x, y, z, perhaps with w, x, y, z of a rotation</source>
@@ -5730,7 +5746,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the files of its parts are not there any more; save the project first.</source>
-        <translation>die Dateien seiner Teile sind nicht mehr da; speichern Sie zuerst das Projekt.</translation>
+        <translation>die Dateien seiner Teile sind nicht mehr da; zuerst das Projekt speichern.</translation>
     </message>
     <message>
         <source>The files that the parts were read from are not there any more: the recipe takes the parts from the project.</source>
@@ -5778,7 +5794,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the path ends with a dot; name what is to be set after it.</source>
-        <translation>der Pfad endet mit einem Punkt; nennen Sie danach, was gesetzt werden soll.</translation>
+        <translation>der Pfad endet mit einem Punkt; danach nennen, was gesetzt werden soll.</translation>
     </message>
     <message>
         <source>%1: %2 cannot be set: %3</source>
@@ -5786,7 +5802,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>&quot;%1&quot; sets nothing; write PATH=VALUE, for example spacing_mm=3.</source>
-        <translation>„%1“ setzt nichts; schreiben Sie PFAD=WERT, zum Beispiel spacing_mm=3.</translation>
+        <translation>„%1“ setzt nichts; PFAD=WERT schreiben, zum Beispiel spacing_mm=3.</translation>
     </message>
     <message>
         <source>must have either file or files.</source>
@@ -5910,7 +5926,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The output folder %1 cannot be made; choose another one with --out.</source>
-        <translation>Der Ausgabeordner %1 lässt sich nicht anlegen; wählen Sie mit --out einen anderen.</translation>
+        <translation>Der Ausgabeordner %1 lässt sich nicht anlegen; mit --out einen anderen wählen.</translation>
     </message>
     <message>
         <source>%1 lies far away from all bodies; its place is in mm.</source>
@@ -5918,18 +5934,18 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>it has no probes whose readings could be written; add the key probes.</source>
-        <translation>es hat keine Sonden, deren Werte geschrieben werden könnten; fügen Sie den Schlüssel probes hinzu.</translation>
+        <translation>es hat keine Sonden, deren Werte geschrieben werden könnten; den Schlüssel probes hinzufügen.</translation>
     </message>
     <message>
         <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
-        <translation>Die Sonden dieses Rezepts liest „knead run“. Setzen Sie Sonden auf das Teil, um sie hier abzulesen.</translation>
+        <translation>Die Sonden dieses Rezepts liest „knead run“. Sonden auf das Teil setzen, um sie hier abzulesen.</translation>
     </message>
 </context>
 <context>
     <name>RecipesFeature</name>
     <message>
         <source>A recipe is opened alone: choose one file, or only parts.</source>
-        <translation>Ein Rezept wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
+        <translation>Ein Rezept wird allein geöffnet: eine Datei oder nur Teile wählen.</translation>
     </message>
     <message>
         <source>Opening %1</source>
@@ -6042,7 +6058,7 @@ Simuliert: %2, Schritt %3
     <name>RecordingFeature</name>
     <message>
         <source>There is nothing to record yet: press Play and let something happen first.</source>
-        <translation>Noch ist nichts aufzunehmen: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
+        <translation>Noch ist nichts aufzunehmen: Starten drücken und etwas geschehen lassen.</translation>
     </message>
     <message>
         <source>Save the video</source>
@@ -6121,7 +6137,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>What is recovered opens unsaved, and stays here until you save or discard it.</source>
-        <translation>Wiederhergestelltes öffnet sich ungespeichert und bleibt hier, bis Sie es speichern oder verwerfen.</translation>
+        <translation>Wiederhergestelltes öffnet sich ungespeichert und bleibt hier, bis es gespeichert oder verworfen wird.</translation>
     </message>
     <message>
         <source>%1  ·  %2</source>
@@ -6195,7 +6211,7 @@ Simuliert: %2, Schritt %3
     <name>Repair</name>
     <message>
         <source>The exact shapes of the parts cannot be understood; import the file again.</source>
-        <translation>Die exakten Formen der Teile sind nicht zu verstehen; importieren Sie die Datei noch einmal.</translation>
+        <translation>Die exakten Formen der Teile sind nicht zu verstehen; die Datei noch einmal importieren.</translation>
     </message>
     <message>
         <source>1 separate face was sewn with a tolerance of %1.</source>
@@ -6472,7 +6488,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>It holds no objects. Fill it with a smaller spacing.</source>
-        <translation>Er enthält keine Objekte. Füllen Sie ihn mit einem kleineren Abstand.</translation>
+        <translation>Er enthält keine Objekte. Ihn mit einem kleineren Abstand füllen.</translation>
     </message>
     <message>
         <source>Region &quot;%1&quot;: %2</source>
@@ -6504,7 +6520,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
-        <translation>Vorwärts-Euler ist ohne Dämpfung nicht stabil: erhöhen Sie den Dämpfungsgrad oder nehmen Sie semi-implizites Euler.</translation>
+        <translation>Vorwärts-Euler ist ohne Dämpfung nicht stabil: den Dämpfungsgrad erhöhen oder semi-implizites Euler nehmen.</translation>
     </message>
 </context>
 <context>
@@ -6753,7 +6769,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Select something first.</source>
-        <translation>Wählen Sie zuerst etwas aus.</translation>
+        <translation>Zuerst etwas auswählen.</translation>
     </message>
 </context>
 <context>
@@ -6820,7 +6836,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>A selection needs a name: type one, then save it.</source>
-        <translation>Eine Auswahl braucht einen Namen: tippen Sie einen, und speichern Sie sie dann.</translation>
+        <translation>Eine Auswahl braucht einen Namen: einen tippen, dann speichern.</translation>
     </message>
 </context>
 <context>
@@ -6862,7 +6878,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>%1 %2: choose another key.</source>
-        <translation>%1 %2: wählen Sie eine andere Taste.</translation>
+        <translation>%1 %2: eine andere Taste wählen.</translation>
     </message>
     <message>
         <source>%1 already does &quot;%2&quot;.</source>
@@ -6893,7 +6909,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
-        <translation>Schalten Sie die Schnittebene ein (Umschalt+S) und setzen Sie sie dorthin, wo geschnitten werden soll.</translation>
+        <translation>Die Schnittebene einschalten (Umschalt+S) und dorthin setzen, wo geschnitten werden soll.</translation>
     </message>
     <message>
         <source>Fill finer</source>
@@ -6905,7 +6921,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Pause first.</source>
-        <translation>Halten Sie zuerst an.</translation>
+        <translation>Zuerst anhalten.</translation>
     </message>
     <message>
         <source>Only a part to which nothing was done yet is pressed like this.</source>
@@ -7100,6 +7116,169 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Stage</name>
+    <message>
+        <source>checking the surface</source>
+        <translation>Oberfläche wird geprüft</translation>
+    </message>
+    <message>
+        <source>preparing the surface</source>
+        <translation>Oberfläche wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>preparing the simulation</source>
+        <translation>Simulation wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>placing objects</source>
+        <translation>Objekte werden gesetzt</translation>
+    </message>
+    <message>
+        <source>cutting cells</source>
+        <translation>Zellen werden geschnitten</translation>
+    </message>
+    <message>
+        <source>measuring depth</source>
+        <translation>Tiefe wird gemessen</translation>
+    </message>
+    <message>
+        <source>measuring walls</source>
+        <translation>Wände werden gemessen</translation>
+    </message>
+    <message>
+        <source>fitting walls</source>
+        <translation>Wände werden angepasst</translation>
+    </message>
+    <message>
+        <source>looking for crossings</source>
+        <translation>Durchdringungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>attaching the surface</source>
+        <translation>Oberfläche wird angeheftet</translation>
+    </message>
+    <message>
+        <source>cutting the surface</source>
+        <translation>Oberfläche wird geschnitten</translation>
+    </message>
+    <message>
+        <source>finding the cracks</source>
+        <translation>Risse werden gesucht</translation>
+    </message>
+    <message>
+        <source>smoothing the cracks</source>
+        <translation>Risse werden geglättet</translation>
+    </message>
+    <message>
+        <source>repeating</source>
+        <translation>Wiederholung läuft</translation>
+    </message>
+    <message>
+        <source>finding the balance</source>
+        <translation>Gleichgewicht wird gesucht</translation>
+    </message>
+    <message>
+        <source>reading the file</source>
+        <translation>Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>looking into the file</source>
+        <translation>Datei wird angesehen</translation>
+    </message>
+    <message>
+        <source>making shapes</source>
+        <translation>Formen werden gebildet</translation>
+    </message>
+    <message>
+        <source>making triangles</source>
+        <translation>Dreiecke werden gebildet</translation>
+    </message>
+    <message>
+        <source>healing parts</source>
+        <translation>Teile werden repariert</translation>
+    </message>
+    <message>
+        <source>checking parts</source>
+        <translation>Teile werden geprüft</translation>
+    </message>
+    <message>
+        <source>measuring parts</source>
+        <translation>Teile werden gemessen</translation>
+    </message>
+    <message>
+        <source>keeping the exact shapes</source>
+        <translation>Genaue Formen werden behalten</translation>
+    </message>
+    <message>
+        <source>handing the parts over</source>
+        <translation>Teile werden übergeben</translation>
+    </message>
+    <message>
+        <source>handing over</source>
+        <translation>Übergabe läuft</translation>
+    </message>
+    <message>
+        <source>bending the surface</source>
+        <translation>Oberfläche wird gebogen</translation>
+    </message>
+    <message>
+        <source>bending edges</source>
+        <translation>Kanten werden gebogen</translation>
+    </message>
+    <message>
+        <source>bending faces</source>
+        <translation>Flächen werden gebogen</translation>
+    </message>
+    <message>
+        <source>measuring tolerances</source>
+        <translation>Toleranzen werden gemessen</translation>
+    </message>
+    <message>
+        <source>measuring distances</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>Prüfung läuft</translation>
+    </message>
+    <message>
+        <source>comparing with the skin</source>
+        <translation>Vergleich mit der Haut</translation>
+    </message>
+    <message>
+        <source>writing faces</source>
+        <translation>Flächen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writing triangles</source>
+        <translation>Dreiecke werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writing the file</source>
+        <translation>Datei wird geschrieben</translation>
+    </message>
+    <message>
+        <source>opening the project</source>
+        <translation>Projekt wird geöffnet</translation>
+    </message>
+    <message>
+        <source>opening the history</source>
+        <translation>Verlauf wird geöffnet</translation>
+    </message>
+    <message>
+        <source>saving the parts</source>
+        <translation>Teile werden gespeichert</translation>
+    </message>
+    <message>
+        <source>saving the history</source>
+        <translation>Verlauf wird gespeichert</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+</context>
+<context>
     <name>StatusReadings</name>
     <message>
         <source>Simulated time per wall time</source>
@@ -7214,11 +7393,11 @@ Simuliert: %2, Schritt %3
     <name>Step</name>
     <message>
         <source>the STEP file ends inside a text; it is cut off, get it again.</source>
-        <translation>die STEP-Datei endet innerhalb eines Textes; sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+        <translation>die STEP-Datei endet innerhalb eines Textes; sie ist abgeschnitten, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again.</source>
-        <translation>die STEP-Datei endet vor ihrer letzten Zeile (END-ISO-10303-21); sie ist abgeschnitten, besorgen Sie sie noch einmal.</translation>
+        <translation>die STEP-Datei endet vor ihrer letzten Zeile (END-ISO-10303-21); sie ist abgeschnitten, noch einmal besorgen.</translation>
     </message>
     <message>
         <source>the STEP file has no DATA section, so it holds no shapes.</source>
@@ -7234,7 +7413,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the STEP file has &quot;%1&quot; in place of a number; export it again.</source>
-        <translation>in der STEP-Datei steht „%1“ an der Stelle einer Zahl; exportieren Sie sie noch einmal.</translation>
+        <translation>in der STEP-Datei steht „%1“ an der Stelle einer Zahl; noch einmal exportieren.</translation>
     </message>
     <message>
         <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
@@ -7250,7 +7429,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the entity %1 refers to something of the wrong kind or nothing at all; export the file again.</source>
-        <translation>das Element %1 verweist auf etwas Falsches oder auf nichts; exportieren Sie die Datei noch einmal.</translation>
+        <translation>das Element %1 verweist auf etwas Falsches oder auf nichts; die Datei noch einmal exportieren.</translation>
     </message>
     <message>
         <source>the entity %1 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %2).</source>
@@ -7270,19 +7449,19 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
-        <translation>die Baugruppe verweist auf die Datei %1, die es dort nicht gibt: ihre Teile fehlen. Legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+        <translation>die Baugruppe verweist auf die Datei %1, die es dort nicht gibt: ihre Teile fehlen. Die Datei neben die Baugruppe legen und diese noch einmal öffnen.</translation>
     </message>
     <message>
         <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
-        <translation>die Baugruppe verweist auf %1 Dateien, die es dort nicht gibt: %2. Ihre Teile fehlen; legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+        <translation>die Baugruppe verweist auf %1 Dateien, die es dort nicht gibt: %2. Ihre Teile fehlen; sie neben die Baugruppe legen und diese noch einmal öffnen.</translation>
     </message>
     <message>
         <source>the file holds triangles only (tessellated geometry of AP242), which are not read from STEP; export exact solids, or a mesh as 3MF or STL.</source>
-        <translation>die Datei enthält nur Dreiecke (tessellierte Geometrie von AP242), die aus STEP nicht gelesen werden; exportieren Sie exakte Körper, oder ein Netz als 3MF oder STL.</translation>
+        <translation>die Datei enthält nur Dreiecke (tessellierte Geometrie von AP242), die aus STEP nicht gelesen werden; exakte Körper exportieren, oder ein Netz als 3MF oder STL.</translation>
     </message>
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
-        <translation>die Datei enthält nur Kurven und Punkte, keinen Körper und keine Fläche; exportieren Sie das Teil als Körper.</translation>
+        <translation>die Datei enthält nur Kurven und Punkte, keinen Körper und keine Fläche; das Teil als Körper exportieren.</translation>
     </message>
 </context>
 <context>
@@ -7323,14 +7502,14 @@ Simuliert: %2, Schritt %3
     <name>TaskRunner</name>
     <message>
         <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
-        <translation>%1: der Speicher reicht nicht. Schließen Sie andere Programme, oder wählen Sie einen größeren Abstand.</translation>
+        <translation>%1: der Speicher reicht nicht. Andere Programme schließen, oder einen größeren Abstand wählen.</translation>
     </message>
 </context>
 <context>
     <name>TextFiles</name>
     <message>
         <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
-        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
+        <translation>%1 kann nicht geschrieben werden (%2). Einen anderen Ordner wählen, oder Platz auf dem Datenträger schaffen.</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -7368,7 +7547,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Play what was simulated, from where you look</source>
-        <translation>Abspielen, was simuliert wurde, von dort, wo Sie hinsehen</translation>
+        <translation>Abspielen, was simuliert wurde, vom Ort des Rückblicks an</translation>
     </message>
     <message>
         <source>One picture on</source>
@@ -7388,7 +7567,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Go on from what you see: a new branch of the history</source>
-        <translation>Von dem aus weitermachen, was Sie sehen: ein neuer Zweig des Verlaufs</translation>
+        <translation>Vom Gezeigten aus weitermachen: ein neuer Zweig des Verlaufs</translation>
     </message>
     <message>
         <source>Branch here</source>
@@ -7412,7 +7591,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Simulate something first, and look back at it.</source>
-        <translation>Simulieren Sie zuerst etwas, und sehen Sie darauf zurück.</translation>
+        <translation>Zuerst etwas simulieren und darauf zurücksehen.</translation>
     </message>
     <message>
         <source>Speed of the film</source>
@@ -7479,7 +7658,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>The tool&apos;s part has no surface. Choose another file.</source>
-        <translation>Das Teil des Werkzeugs hat keine Oberfläche. Wählen Sie eine andere Datei.</translation>
+        <translation>Das Teil des Werkzeugs hat keine Oberfläche. Eine andere Datei wählen.</translation>
     </message>
     <message>
         <source>There is no tool number %1.</source>
@@ -7617,7 +7796,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material at once.</source>
-        <translation>Legen Sie eine STEP-, IGES- oder Netzdatei hier ab, drücken Sie Strg+O, oder beginnen Sie mit einem Beispiel. Es wird sofort mit Material gefüllt.</translation>
+        <translation>Eine STEP-, IGES- oder Netzdatei hier ablegen, Strg+O drücken, oder mit einem Beispiel beginnen. Es wird sofort mit Material gefüllt.</translation>
     </message>
     <message>
         <source>What there is</source>
@@ -7633,7 +7812,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
-        <translation>Wählen Sie ein Material oder tippen Sie seine Zahlen, in jeder Einheit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. Es wirkt, während die Zeit läuft.</translation>
+        <translation>Ein Material wählen oder seine Zahlen tippen, in jeder Einheit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. Es wirkt, während die Zeit läuft.</translation>
     </message>
     <message>
         <source>Hold, push, run</source>
@@ -7641,7 +7820,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
-        <translation>X fixiert Flächen, die Sie anklicken, B fügt einen Block hinzu, die Leertaste lässt die Zeit laufen. Ziehen Sie den Block mit der linken Taste oder fahren Sie ihn mit den Pfeiltasten; die mittlere Taste dreht die Ansicht.</translation>
+        <translation>X fixiert angeklickte Flächen, B fügt einen Block hinzu, die Leertaste lässt die Zeit laufen. Den Block mit der linken Taste ziehen oder mit den Pfeiltasten fahren; die mittlere Taste dreht die Ansicht.</translation>
     </message>
     <message>
         <source>Back and forth in time</source>
@@ -7649,7 +7828,7 @@ Simuliert: %2, Schritt %3
     </message>
     <message>
         <source>Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included.</source>
-        <translation>Ziehen Sie entlang der Zeitleiste, um zurückzublicken. Strg+Z macht rückgängig, was immer Sie taten, auch was simuliert wurde.</translation>
+        <translation>Entlang der Zeitleiste ziehen, um zurückzublicken. Strg+Z macht alles Getane rückgängig, auch was simuliert wurde.</translation>
     </message>
     <message>
         <source>Everything else</source>
@@ -7664,7 +7843,7 @@ Simuliert: %2, Schritt %3
     <name>Unit</name>
     <message>
         <source>Open that file alone to correct it.</source>
-        <translation>Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
+        <translation>Diese Datei allein öffnen, um es zu berichtigen.</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -7809,7 +7988,7 @@ Simuliert: %2, Schritt %3
     <name>ViewsFeature</name>
     <message>
         <source>Show two or four views first.</source>
-        <translation>Zeigen Sie zuerst zwei oder vier Ansichten.</translation>
+        <translation>Zuerst zwei oder vier Ansichten zeigen.</translation>
     </message>
 </context>
 <context>
@@ -7942,7 +8121,7 @@ Simuliert: %2, Schritt %3
     <name>Workbench</name>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab.</translation>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen.</translation>
     </message>
 </context>
 </TS>

@@ -1107,12 +1107,12 @@
         <translation>Aucun corps n&apos;est d&apos;un matériau plastique : les corps élastiques gardent leur forme au repos et ne sont pas remplis de nouveau.</translation>
     </message>
     <message>
-        <source>Press it</source>
-        <translation>Presser</translation>
-    </message>
-    <message>
         <source>Block</source>
         <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Presser</translation>
     </message>
 </context>
 <context>
@@ -4332,8 +4332,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Comparer à l&apos;original...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Distances maximale et moyenne, volume et masse à côté de l&apos;original, et un rapport (Maj+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Distances maximale et moyenne, volume et masse à côté de l&apos;original, et un rapport</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -4966,8 +4966,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Placer une sonde</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps</translation>
     </message>
 </context>
 <context>
@@ -5207,6 +5207,22 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
         <translation>%1&#xa0;: ce qui a été vu en dernier ne peut pas être montré. %2 Ce qui est intact peut être sauvé.</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Récupéré</translation>
+    </message>
+    <message>
+        <source>what entries are called</source>
+        <translation>le nom des entrées</translation>
+    </message>
+    <message>
+        <source>what entry %1 is called</source>
+        <translation>le nom de l&apos;entrée %1</translation>
+    </message>
+    <message>
+        <source>it is no sentence</source>
+        <translation>ce n&apos;est pas une phrase</translation>
     </message>
 </context>
 <context>
@@ -7097,6 +7113,169 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Gravity as on</source>
         <translation>Pesanteur comme sur</translation>
+    </message>
+</context>
+<context>
+    <name>Stage</name>
+    <message>
+        <source>checking the surface</source>
+        <translation>vérification de la surface</translation>
+    </message>
+    <message>
+        <source>preparing the surface</source>
+        <translation>préparation de la surface</translation>
+    </message>
+    <message>
+        <source>preparing the simulation</source>
+        <translation>préparation de la simulation</translation>
+    </message>
+    <message>
+        <source>placing objects</source>
+        <translation>placement des objets</translation>
+    </message>
+    <message>
+        <source>cutting cells</source>
+        <translation>découpe des cellules</translation>
+    </message>
+    <message>
+        <source>measuring depth</source>
+        <translation>mesure de la profondeur</translation>
+    </message>
+    <message>
+        <source>measuring walls</source>
+        <translation>mesure des parois</translation>
+    </message>
+    <message>
+        <source>fitting walls</source>
+        <translation>ajustement des parois</translation>
+    </message>
+    <message>
+        <source>looking for crossings</source>
+        <translation>recherche des intersections</translation>
+    </message>
+    <message>
+        <source>attaching the surface</source>
+        <translation>rattachement de la surface</translation>
+    </message>
+    <message>
+        <source>cutting the surface</source>
+        <translation>découpe de la surface</translation>
+    </message>
+    <message>
+        <source>finding the cracks</source>
+        <translation>recherche des fissures</translation>
+    </message>
+    <message>
+        <source>smoothing the cracks</source>
+        <translation>lissage des fissures</translation>
+    </message>
+    <message>
+        <source>repeating</source>
+        <translation>répétition</translation>
+    </message>
+    <message>
+        <source>finding the balance</source>
+        <translation>recherche de l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>reading the file</source>
+        <translation>lecture du fichier</translation>
+    </message>
+    <message>
+        <source>looking into the file</source>
+        <translation>examen du fichier</translation>
+    </message>
+    <message>
+        <source>making shapes</source>
+        <translation>construction des formes</translation>
+    </message>
+    <message>
+        <source>making triangles</source>
+        <translation>triangulation</translation>
+    </message>
+    <message>
+        <source>healing parts</source>
+        <translation>réparation des pièces</translation>
+    </message>
+    <message>
+        <source>checking parts</source>
+        <translation>vérification des pièces</translation>
+    </message>
+    <message>
+        <source>measuring parts</source>
+        <translation>mesure des pièces</translation>
+    </message>
+    <message>
+        <source>keeping the exact shapes</source>
+        <translation>conservation des formes exactes</translation>
+    </message>
+    <message>
+        <source>handing the parts over</source>
+        <translation>transmission des pièces</translation>
+    </message>
+    <message>
+        <source>handing over</source>
+        <translation>transmission</translation>
+    </message>
+    <message>
+        <source>bending the surface</source>
+        <translation>courbure de la surface</translation>
+    </message>
+    <message>
+        <source>bending edges</source>
+        <translation>courbure des arêtes</translation>
+    </message>
+    <message>
+        <source>bending faces</source>
+        <translation>courbure des faces</translation>
+    </message>
+    <message>
+        <source>measuring tolerances</source>
+        <translation>mesure des tolérances</translation>
+    </message>
+    <message>
+        <source>measuring distances</source>
+        <translation>mesure des distances</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>vérification</translation>
+    </message>
+    <message>
+        <source>comparing with the skin</source>
+        <translation>comparaison avec la peau</translation>
+    </message>
+    <message>
+        <source>writing faces</source>
+        <translation>écriture des faces</translation>
+    </message>
+    <message>
+        <source>writing triangles</source>
+        <translation>écriture des triangles</translation>
+    </message>
+    <message>
+        <source>writing the file</source>
+        <translation>écriture du fichier</translation>
+    </message>
+    <message>
+        <source>opening the project</source>
+        <translation>ouverture du projet</translation>
+    </message>
+    <message>
+        <source>opening the history</source>
+        <translation>ouverture de l&apos;historique</translation>
+    </message>
+    <message>
+        <source>saving the parts</source>
+        <translation>enregistrement des pièces</translation>
+    </message>
+    <message>
+        <source>saving the history</source>
+        <translation>enregistrement de l&apos;historique</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
     </message>
 </context>
 <context>

@@ -1107,12 +1107,12 @@
         <translation>Geen lichaam is van materiaal dat vloeit: elastische houden hun rustvorm en worden niet opnieuw gevuld.</translation>
     </message>
     <message>
-        <source>Press it</source>
-        <translation>Indrukken</translation>
-    </message>
-    <message>
         <source>Block</source>
         <translation>Blok</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Indrukken</translation>
     </message>
 </context>
 <context>
@@ -4332,8 +4332,8 @@ Gesimuleerd: %2, stap %3
         <translation>Met origineel vergelijken...</translation>
     </message>
     <message>
-        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
-        <translation>Grootste en gemiddelde afstand, volume en massa naast het origineel, en een verslag (Shift+M)</translation>
+        <source>Largest and mean distance, volume and mass beside the original, and a report</source>
+        <translation>Grootste en gemiddelde afstand, volume en massa naast het origineel, en een verslag</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -4966,8 +4966,8 @@ Gesimuleerd: %2, stap %3
         <translation>Meetpunt plaatsen</translation>
     </message>
     <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt (P)</translation>
+        <source>Click places of the part to plot what happens there over time</source>
+        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt</translation>
     </message>
 </context>
 <context>
@@ -5207,6 +5207,22 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
         <translation>%1: wat het laatst te zien was, kan niet worden getoond. %2 Wat heel is, kan worden gered.</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Hersteld</translation>
+    </message>
+    <message>
+        <source>what entries are called</source>
+        <translation>hoe regels heten</translation>
+    </message>
+    <message>
+        <source>what entry %1 is called</source>
+        <translation>hoe regel %1 heet</translation>
+    </message>
+    <message>
+        <source>it is no sentence</source>
+        <translation>het is geen zin</translation>
     </message>
 </context>
 <context>
@@ -7097,6 +7113,169 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Gravity as on</source>
         <translation>Zwaartekracht zoals op</translation>
+    </message>
+</context>
+<context>
+    <name>Stage</name>
+    <message>
+        <source>checking the surface</source>
+        <translation>oppervlak controleren</translation>
+    </message>
+    <message>
+        <source>preparing the surface</source>
+        <translation>oppervlak voorbereiden</translation>
+    </message>
+    <message>
+        <source>preparing the simulation</source>
+        <translation>simulatie voorbereiden</translation>
+    </message>
+    <message>
+        <source>placing objects</source>
+        <translation>objecten plaatsen</translation>
+    </message>
+    <message>
+        <source>cutting cells</source>
+        <translation>cellen snijden</translation>
+    </message>
+    <message>
+        <source>measuring depth</source>
+        <translation>diepte meten</translation>
+    </message>
+    <message>
+        <source>measuring walls</source>
+        <translation>wanden meten</translation>
+    </message>
+    <message>
+        <source>fitting walls</source>
+        <translation>wanden passend maken</translation>
+    </message>
+    <message>
+        <source>looking for crossings</source>
+        <translation>doorsnijdingen zoeken</translation>
+    </message>
+    <message>
+        <source>attaching the surface</source>
+        <translation>oppervlak vasthechten</translation>
+    </message>
+    <message>
+        <source>cutting the surface</source>
+        <translation>oppervlak snijden</translation>
+    </message>
+    <message>
+        <source>finding the cracks</source>
+        <translation>scheuren zoeken</translation>
+    </message>
+    <message>
+        <source>smoothing the cracks</source>
+        <translation>scheuren gladmaken</translation>
+    </message>
+    <message>
+        <source>repeating</source>
+        <translation>herhalen</translation>
+    </message>
+    <message>
+        <source>finding the balance</source>
+        <translation>evenwicht zoeken</translation>
+    </message>
+    <message>
+        <source>reading the file</source>
+        <translation>bestand lezen</translation>
+    </message>
+    <message>
+        <source>looking into the file</source>
+        <translation>bestand bekijken</translation>
+    </message>
+    <message>
+        <source>making shapes</source>
+        <translation>vormen maken</translation>
+    </message>
+    <message>
+        <source>making triangles</source>
+        <translation>driehoeken maken</translation>
+    </message>
+    <message>
+        <source>healing parts</source>
+        <translation>onderdelen herstellen</translation>
+    </message>
+    <message>
+        <source>checking parts</source>
+        <translation>onderdelen controleren</translation>
+    </message>
+    <message>
+        <source>measuring parts</source>
+        <translation>onderdelen meten</translation>
+    </message>
+    <message>
+        <source>keeping the exact shapes</source>
+        <translation>exacte vormen bewaren</translation>
+    </message>
+    <message>
+        <source>handing the parts over</source>
+        <translation>onderdelen overdragen</translation>
+    </message>
+    <message>
+        <source>handing over</source>
+        <translation>overdragen</translation>
+    </message>
+    <message>
+        <source>bending the surface</source>
+        <translation>oppervlak buigen</translation>
+    </message>
+    <message>
+        <source>bending edges</source>
+        <translation>randen buigen</translation>
+    </message>
+    <message>
+        <source>bending faces</source>
+        <translation>vlakken buigen</translation>
+    </message>
+    <message>
+        <source>measuring tolerances</source>
+        <translation>toleranties meten</translation>
+    </message>
+    <message>
+        <source>measuring distances</source>
+        <translation>afstanden meten</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>controleren</translation>
+    </message>
+    <message>
+        <source>comparing with the skin</source>
+        <translation>vergelijken met de huid</translation>
+    </message>
+    <message>
+        <source>writing faces</source>
+        <translation>vlakken schrijven</translation>
+    </message>
+    <message>
+        <source>writing triangles</source>
+        <translation>driehoeken schrijven</translation>
+    </message>
+    <message>
+        <source>writing the file</source>
+        <translation>bestand schrijven</translation>
+    </message>
+    <message>
+        <source>opening the project</source>
+        <translation>project openen</translation>
+    </message>
+    <message>
+        <source>opening the history</source>
+        <translation>geschiedenis openen</translation>
+    </message>
+    <message>
+        <source>saving the parts</source>
+        <translation>onderdelen opslaan</translation>
+    </message>
+    <message>
+        <source>saving the history</source>
+        <translation>geschiedenis opslaan</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>klaar</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -27,6 +28,8 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+#include <QXmlStreamReader>
 #include <QtTest>
 
 #include <algorithm>
@@ -331,7 +334,7 @@ private slots:
                      QString("Speicher und Sicherheit"));
         for (const char* name : {"filmBack", "filmRate-0"})
             QCOMPARE(action(name)->property("whyDisabled").toString(),
-                     QString("Simulieren Sie zuerst etwas, und sehen Sie darauf zurück."));
+                     QString("Zuerst etwas simulieren und darauf zurücksehen."));
         rest(500);
         picture("german");
         dialog()->close();
@@ -340,6 +343,8 @@ private slots:
         QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(", ")));
         for (const char* name : {"selectAll", "fixSelection", "section", "colorParts", "pull", "compareWithOriginal"})
             QVERIFY2(action(name)->text() != english[name], name);
+        QTRY_VERIFY2(leftInEnglish().isEmpty(), qPrintable(leftInEnglish().join("; ")));
+        QTRY_COMPARE(find<QTreeWidget>("historyTree")->topLevelItem(0)->text(0), QString("bracket.step importieren"));
         for (const char* code : {"fr", "nl", "en"}) {
             Preferences other = readPreferences();
             other.language = code;
@@ -623,6 +628,81 @@ private:
     }
 
     /// Labels and buttons of the window that read so.
+    /// Texts of the code, as shapes, that are said otherwise in German; and how they are said there.
+    static QList<std::pair<QRegularExpression, QRegularExpression>> germanPhrases()
+    {
+        QList<std::pair<QRegularExpression, QRegularExpression>> phrases;
+        QFile file(QStringLiteral(KNEAD_RESOURCES "/translations/knead_de.ts"));
+        QString source;
+        if (!file.open(QFile::ReadOnly))
+            return phrases;
+        for (QXmlStreamReader reader(&file); !reader.atEnd();) {
+            if (reader.readNext() != QXmlStreamReader::StartElement)
+                continue;
+            if (reader.name() == u"source")
+                source = reader.readElementText();
+            else if (reader.name() == u"translation")
+                if (const QString german = reader.readElementText(QXmlStreamReader::IncludeChildElements);
+                    german != source && !source.contains("%n") && lettersIn(source) >= 3)
+                    phrases.emplace_back(shapeOf(source), shapeOf(german));
+        }
+        return phrases;
+    }
+
+    static qsizetype lettersIn(const QString& text)
+    {
+        return std::ranges::count_if(QString(text).remove(QRegularExpression("%\\d")),
+                                     [](QChar c) { return c.isLetter(); });
+    }
+
+    static QRegularExpression shapeOf(const QString& phrase)
+    {
+        static const QRegularExpression place("%\\d");
+        QStringList pieces;
+        for (const QString& piece : phrase.split(place))
+            pieces << QRegularExpression::escape(piece);
+        return QRegularExpression(QRegularExpression::anchoredPattern(pieces.join("(.+)")));
+    }
+
+    /// What somebody sees of the window, or reads when the mouse rests on it.
+    QStringList shownTexts()
+    {
+        QStringList texts;
+        for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
+            if (!widget->isVisible() || qobject_cast<const QLineEdit*>(widget) != nullptr)
+                continue; // what is typed is a person's
+            for (const char* name : {"text", "title", "windowTitle", "toolTip", "suffix", "prefix"})
+                texts << widget->property(name).toString();
+            if (const auto* box = qobject_cast<const QComboBox*>(widget))
+                for (int i = 0; i < box->count(); ++i)
+                    texts << box->itemText(i);
+            if (const auto* tree = qobject_cast<const QTreeWidget*>(widget)) {
+                for (int c = 0; c < tree->columnCount(); ++c)
+                    texts << tree->headerItem()->text(c);
+                for (QTreeWidgetItemIterator item(const_cast<QTreeWidget*>(tree)); *item != nullptr; ++item)
+                    texts << (*item)->text(0);
+            }
+        }
+        for (const QAction* action : m_window->findChildren<QAction*>())
+            texts << action->text() << action->toolTip();
+        texts.removeDuplicates();
+        texts.removeAll(QString());
+        return texts;
+    }
+
+    QStringList leftInEnglish()
+    {
+        static const auto phrases = germanPhrases();
+        QStringList left;
+        for (const QString& text : shownTexts()) {
+            const auto isGerman = [&](const auto& phrase) { return phrase.second.match(text).hasMatch(); };
+            const auto isEnglish = [&](const auto& phrase) { return phrase.first.match(text).hasMatch(); };
+            if (std::ranges::any_of(phrases, isEnglish) && std::ranges::none_of(phrases, isGerman))
+                left << text;
+        }
+        return left;
+    }
+
     QStringList textsLike(const QStringList& texts)
     {
         QStringList found;

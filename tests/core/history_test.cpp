@@ -203,6 +203,20 @@ private slots:
         QVERIFY(history.record(entry).isKey);
     }
 
+    /// As long as nobody gave an entry a name of her own.
+    void entriesAreCalledBySentences()
+    {
+        const Message words = Message("EntryNames", "Add %1").with("Block 1");
+        HistoryRecord record{.name = words.english(), .words = words};
+        QCOMPARE(record.label(), words);
+        QCOMPARE(named("as an earlier version wrote it").label(), Message::verbatim("as an earlier version wrote it"));
+        History history(named("start"));
+        const Entry entry = history.append(std::move(record));
+        QCOMPARE(history.record(entry).label(), words);
+        history.rename(entry, "flattened");
+        QCOMPARE(history.record(entry).label(), Message::verbatim("flattened"));
+    }
+
     void recordsThatAreNoTreeAreRefused()
     {
         std::vector<HistoryRecord> records{named("start"), named("a"), named("b")};

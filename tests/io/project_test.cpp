@@ -103,6 +103,41 @@ class ProjectTest : public QObject {
     }
 
 private slots:
+    void whatEntriesAreCalledComesBackInAnyLanguage()
+    {
+        Project project = sample::project();
+        const Message words = Message("EntryNames", "Move %1").with(Message("EntryNames", "the tool"));
+        project.entries[1].words = words;
+        project.entries[1].name = words.english();
+        writeProject(path("words.knead"), project);
+        const Project read = readProject(path("words.knead"));
+        QVERIFY(same::values(read, project));
+        QVERIFY(read.entries[1].words == words);
+        QVERIFY(read.entries[0].words.empty());
+        QCOMPARE(read.entries[0].label().english(), project.entries[0].name);
+        QVERIFY(rescueProject(path("words.knead")).project.entries[1].words == words);
+        std::filesystem::remove(path("words.knead"));
+    }
+
+    /// Also where an earlier version gave an entry another name, whose words it does not know.
+    void filesOfEarlierVersionsHaveNamesAlone()
+    {
+        Project project = sample::project();
+        project.entries[1].words = Message("EntryNames", "Move %1").with("Block 1");
+        project.entries[1].name = "given by hand";
+        writeProject(path("names.knead"), project);
+        QVERIFY(readProject(path("names.knead")).entries[1].words.empty());
+        {
+            SQLite::Database database(path("names.knead"), SQLite::OPEN_READWRITE);
+            database.exec("DROP TABLE entry_words");
+        }
+        const Project read = readProject(path("names.knead"));
+        project.entries[1].words = {};
+        QVERIFY(same::values(read, project));
+        QCOMPARE(read.entries[1].label(), Message::verbatim("given by hand"));
+        std::filesystem::remove(path("names.knead"));
+    }
+
     void everythingComesBackToTheLastBit()
     {
         const Project project = sample::project();

@@ -245,8 +245,8 @@ inline auto members(const RecordedCommand& v)
 }
 inline auto members(const HistoryRecord& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const Color& v)
 {

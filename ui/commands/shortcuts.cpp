@@ -1,7 +1,7 @@
 #include "ui/commands/shortcuts.h"
 
 #include "ui/commands/listed_actions.h"
-#include "ui/language/tip_properties.h"
+#include "ui/language/retranslation.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -13,8 +13,9 @@ namespace knead {
 
 namespace {
 
-/// The keys that a tip was put together with last.
-constexpr const char* keysProperty = "keysInTip";
+// Properties of actions.
+constexpr const char* tipWithKeys = "tipWithKeys";       // as it was put together last
+constexpr const char* tipFollowsText = "tipFollowsText"; // it has no tip of its own
 
 QString settingOf(const QAction* action)
 {
@@ -103,26 +104,22 @@ QString Shortcuts::takenFor(const QKeySequence& key)
 /// The tip is put together again whenever text, tip or keys change, in whatever language.
 void Shortcuts::follow(QAction* action)
 {
-    const QString tip = action->toolTip();
-    const QString text = plainText(action->text());
-    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
-    action->setProperty(tip_properties::isText, tip == text || tip == text + " (" + keys + ')');
+    action->setProperty(tipFollowsText, action->toolTip() == plainText(action->text()));
     showKeys(action);
     connect(action, &QAction::changed, this, [action] { showKeys(action); });
 }
 
 void Shortcuts::showKeys(QAction* action)
 {
-    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
     QString tip = action->toolTip();
-    if (action->property(tip_properties::isText).toBool())
+    if (action->property(tipFollowsText).toBool())
         tip = plainText(action->text());
-    for (const QString& old : {action->property(keysProperty).toString(), keys}) // also as it was made with its keys
-        if (!old.isEmpty() && tip.endsWith(" (" + old + ')'))
-            tip.chop(old.size() + 3);
-    action->setProperty(tip_properties::withoutKeys, tip);
-    action->setProperty(keysProperty, keys);
+    else if (tip == action->property(tipWithKeys).toString())
+        tip = action->property(tipWithoutKeys).toString();
+    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
     const QString whole = keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys);
+    action->setProperty(tipWithoutKeys, tip);
+    action->setProperty(tipWithKeys, whole);
     if (action->toolTip() != whole)
         action->setToolTip(whole);
 }

@@ -1,5 +1,6 @@
 #include "ui/dialogs/recovery_dialog.h"
 
+#include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
 
@@ -52,7 +53,7 @@ QString RecoveryDialog::nameOf(const Recovery& recovery)
     if (!recovery.projectFile.empty())
         return QFileInfo(QFile::decodeName(recovery.projectFile.c_str())).fileName();
     return recovery.part.empty() ? tr("Work without a name")
-                                 : tr("%1, never saved").arg(QString::fromStdString(recovery.part));
+                                 : said(Message("RecoveryDialog", "%1, never saved").with(recovery.part));
 }
 
 RecoveryDialog::RecoveryDialog(std::vector<Recovery> found, QWidget* parent)

@@ -90,14 +90,14 @@ void Document::open(PreparedModel prepared)
     beginFixtures(prepared);
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.script)},
                     std::move(prepared.first),
-                    prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
+                    prepared.name.empty() ? Message("Document", "Import %1").with(file.toStdString()) : prepared.name);
     m_start = 0;
     m_notes->remember({});
     m_appearance = {};
     showStart();
 }
 
-void Document::refill(PreparedModel prepared, const QString& name)
+void Document::refill(PreparedModel prepared, const Message& name)
 {
     const auto content = std::make_shared<const FilledModel>(std::move(prepared.content));
     if (!isGoing())
@@ -112,7 +112,7 @@ void Document::refill(PreparedModel prepared, const QString& name)
     m_fixtures.follow(*content, held);
     const QString spacing = formatQuantity(content->spacing, Quantity::Length);
     m_history.expectStart({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
-                          name.isEmpty() ? tr("Refill %1").arg(spacing) : name);
+                          name.empty() ? Message("Document", "Refill %1").with(spacing.toStdString()) : name);
     m_start = static_cast<std::uint32_t>(m_history.starts().size() - 1);
     showStart();
 }

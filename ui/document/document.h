@@ -2,9 +2,9 @@
 
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
-#include "core/session/prepared_project.h"
 #include "core/session/part_appearance.h"
 #include "core/session/playback_cache.h"
+#include "core/session/prepared_project.h"
 #include "core/session/timeline.h"
 #include "core/session/tool_requests.h"
 #include "core/simulation/simulation_thread.h"
@@ -77,7 +77,7 @@ public:
     /// Shows another content with its simulation, paused at its start: a new document, with a history of its own.
     void open(PreparedModel prepared);
     /// Shows the same model filled anew: the next entry of the history.
-    void refill(PreparedModel prepared, const QString& name = {});
+    void refill(PreparedModel prepared, const Message& name = {});
     /// Shows a project at its current entry.
     /// @throws Problem when its entries do not form a tree; nothing has changed
     void open(PreparedProject prepared);
@@ -104,7 +104,7 @@ public:
     double speed() const { return m_speed; }
     void keepUp(bool on); ///< see SimulationThread::keepUp()
     /// @param name for the history; empty: what the command says itself
-    void post(Command command, const QString& name = {});
+    void post(Command command, const Message& name = {});
 
     // ---- The history: undo, redo, and gestures, which are its entries (document_gestures.cpp, document_going.cpp) ----
 
@@ -172,7 +172,7 @@ public:
     void fixRegion(const Region& region);
     /// Gives the objects of a region a material of their own; whole parts take it for theirs.
     /// @param name of the material, for the history
-    void setMaterialOf(const Region& region, const Material& material, const QString& name);
+    void setMaterialOf(const Region& region, const Material& material, const Message& name);
     void renormalizeRegion(const Region& region);
     void setKindOf(const Region& region, BodyKind kind); ///< of the bodies that it is of
     /// What a selection set names, in the content of now. Says why where it cannot be told any more.
@@ -266,7 +266,7 @@ private:
         bool isEdited = false; ///< a command was posted since it began
         bool isHeld = false;   ///< between beginGesture() and endGesture()
         int hands = 0;         ///< that hold it
-        QString name;
+        Message name;
         QString key;
         double begin = 0; ///< simulated [s]
     };
@@ -291,10 +291,10 @@ private:
     void followFixtures(const Snapshot& now);
     void noticeRecipeEnd();
     void beginFixtures(const PreparedModel& prepared);
-    void postAll(std::vector<Command> commands, const QString& name);
+    void postAll(std::vector<Command> commands, const Message& name);
     void followAppearance();
     void followAppearance(const std::vector<RecordedCommand>& commands);
-    void postLook(std::size_t part, const std::string& name, const std::optional<Color>& color, const QString& entry);
+    void postLook(std::size_t part, const std::string& name, const std::optional<Color>& color, const Message& entry);
     std::optional<Selection> targetOf(const Command& command) const;
     bool refuseLocked(const Selection& target);
     bool refuseName(const QString& name, bool isTaken);

@@ -1,6 +1,7 @@
 // What a person calls, colors and locks.
 #include "ui/document/document.h"
 
+#include "ui/language/said.h"
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -26,21 +27,23 @@ void Document::renamePart(std::size_t part, const QString& name)
     if (wanted == m_appearance.chosenName(part))
         return;
     const std::string& shown = wanted.empty() ? m_content->model->parts[part].name : wanted;
-    postLook(part, wanted, m_appearance.chosenColor(part), tr("Rename to %1").arg(QString::fromStdString(shown)));
+    postLook(part, wanted, m_appearance.chosenColor(part), Message("Document", "Rename to %1").with(shown));
 }
 
 void Document::colorPart(std::size_t part, const std::optional<Color>& color)
 {
     if (color == m_appearance.chosenColor(part))
         return;
-    postLook(part, m_appearance.chosenName(part), color, tr("Color of %1").arg(nameOfPart(part)));
+    postLook(part, m_appearance.chosenName(part), color,
+             Message("Document", "Color of %1").with(nameOfPart(part).toStdString()));
 }
 
 /// Says why nothing happens. @return whether there can be no such name
 bool Document::refuseName(const QString& name, bool isTaken)
 {
     if (isTaken)
-        emit notice(tr("Something is called \"%1\" already: choose another name.").arg(name));
+        emit notice(said(
+            Message("Document", "Something is called \"%1\" already: choose another name.").with(name.toStdString())));
     return isTaken || name.isEmpty();
 }
 
@@ -71,12 +74,12 @@ void Document::renameFixture(std::uint32_t key, const QString& name)
     if (fixture == nullptr || fixture->name == wanted || refuseName(name.trimmed(), isTaken) ||
         refuseLocked({Selection::Kind::Fixture, key}))
         return;
-    postAll(m_fixtures.rename(key, wanted), tr("Rename to %1").arg(name.trimmed()));
+    postAll(m_fixtures.rename(key, wanted), Message("Document", "Rename to %1").with(name.trimmed().toStdString()));
     emit changed(Change::Fixtures);
 }
 
 void Document::postLook(std::size_t part, const std::string& name, const std::optional<Color>& color,
-                        const QString& entry)
+                        const Message& entry)
 {
     post(SetPartLook{static_cast<std::uint32_t>(part), name, color ? textOf(*color) : std::string()}, entry);
 }
@@ -190,7 +193,8 @@ bool Document::refuseLocked(const Selection& target)
         return true;
     m_refused = name;
     m_sinceRefusal.start();
-    emit notice(tr("\"%1\" is locked in the model tree: unlock it there to change it.").arg(name));
+    emit notice(said(Message("Document", "\"%1\" is locked in the model tree: unlock it there to change it.")
+                         .with(name.toStdString())));
     return true;
 }
 

@@ -38,8 +38,9 @@ void Document::findBalance()
     if (!m_simulation || m_tasks == nullptr || later([this] { findBalance(); }))
         return;
     if (m_tasks->isRunning()) {
-        emit notice(tr("%1 is still going on: wait for it, or cancel it with Esc, then find the balance.")
-                        .arg(m_tasks->title()));
+        emit notice(
+            said(Message("Document", "%1 is still going on: wait for it, or cancel it with Esc, then find the balance.")
+                     .with(m_tasks->title().toStdString())));
         return;
     }
     standStill();
@@ -49,7 +50,7 @@ void Document::findBalance()
     m_simulation->settle(m_balancing,
                          [promise = std::move(promise)](Found report) { promise->set_value(std::move(report)); });
     noteEdit();
-    m_gesture = {.isAny = true, .name = tr("Find balance")};
+    m_gesture = {.isAny = true, .name = Message("Document", "Find balance")};
     finishGesture();
     const auto wait = [balancing = m_balancing, found](TaskControl& control) -> Found {
         while (found->wait_for(lookInterval) != std::future_status::ready) {
@@ -83,8 +84,8 @@ void Document::tellBalance(const StaticReport& report)
     else if (report.residual == 0)
         emit balanced(tr("In balance: no force acts on the part."));
     else
-        emit balanced(tr("In balance: the forces that are left are %1 of those that act.")
-                          .arg(QString::number(report.residual, 'g', 2)));
+        emit balanced(said(Message("Document", "In balance: the forces that are left are %1 of those that act.")
+                               .with(QString::number(report.residual, 'g', 2).toStdString())));
 }
 
 } // namespace knead

@@ -1,6 +1,7 @@
 // Faces that a person fixes, and those that a recipe does.
 #include "ui/document/document.h"
 
+#include "ui/language/said.h"
 #include <utility>
 
 namespace knead {
@@ -63,7 +64,7 @@ void Document::removeSelected()
         post(RemoveManipulator{m_selection.id});
     } else if (const FaceFixture* fixture = m_fixtures.find(m_selection.id);
                m_selection.kind == Selection::Kind::Fixture && fixture != nullptr) {
-        const QString name = tr("Remove %1").arg(QString::fromStdString(fixture->name));
+        const Message name = Message("Document", "Remove %1").with(fixture->name);
         postAll(m_fixtures.remove(m_selection.id), name);
         select({});
         emit changed(Change::Fixtures);
@@ -76,8 +77,9 @@ void Document::toggleFace(BodyId body, std::uint32_t face)
     if (later(again) || whenFixturesAreKnown(again) || body >= m_content->bodies.size())
         return;
     if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
-        emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
-                        .arg(nameOfBody(body)));
+        emit notice(
+            said(Message("Document", "\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
+                     .with(nameOfBody(body).toStdString())));
         return;
     }
     const bool isOfFixture = m_selection.kind == Selection::Kind::Fixture;
@@ -85,7 +87,8 @@ void Document::toggleFace(BodyId body, std::uint32_t face)
         return;
     const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
     FaceFixtures::Edit edit = m_fixtures.toggle(*m_content, body, face, active);
-    postAll(std::move(edit.commands), edit.key != 0 ? tr("Fix face") : tr("Free face"));
+    postAll(std::move(edit.commands),
+            edit.key != 0 ? Message("Document", "Fix face") : Message("Document", "Free face"));
     if (edit.key != 0)
         select({Selection::Kind::Fixture, edit.key});
     else if (m_fixtures.find(active) == nullptr)
@@ -98,12 +101,14 @@ void Document::noticeEmptyFixtures()
 {
     for (const FaceFixture& fixture : m_fixtures.list())
         if (!fixture.id)
-            emit notice(
-                tr("%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
-                    .arg(QString::fromStdString(fixture.name)));
+            emit notice(said(
+                Message(
+                    "Document",
+                    "%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
+                    .with(fixture.name)));
 }
 
-void Document::postAll(std::vector<Command> commands, const QString& name)
+void Document::postAll(std::vector<Command> commands, const Message& name)
 {
     for (Command& command : commands)
         post(std::move(command), name);

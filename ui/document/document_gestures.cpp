@@ -68,11 +68,11 @@ void Document::reset()
     m_simulation->reset();
     noteEdit();
     m_isPlaying = false;
-    m_gesture = {.isAny = true, .name = tr("Reset")};
+    m_gesture = {.isAny = true, .name = Message("Document", "Reset")};
     finishGesture();
 }
 
-void Document::post(Command command, const QString& name)
+void Document::post(Command command, const Message& name)
 {
     if (!m_simulation || later([this, command, name] { post(command, name); }))
         return;
@@ -81,8 +81,8 @@ void Document::post(Command command, const QString& name)
     const QString key = mergeKeyOf(command);
     if (!m_gesture.isHeld || !m_gesture.isEdited)
         openGesture(m_gesture.isHeld ? m_gesture.key : key);
-    if (m_gesture.name.isEmpty())
-        m_gesture.name = name.isEmpty() ? nameOf(command, *m_content, *m_frame->snapshot) : name;
+    if (m_gesture.name.empty())
+        m_gesture.name = name.empty() ? nameOf(command, *m_content, *m_frame->snapshot) : name;
     m_gesture.isEdited = true;
     noteGesture();
     const bool isOfFixture =

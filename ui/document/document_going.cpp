@@ -21,9 +21,9 @@ std::optional<QString> Document::undoName() const
     if (m_history.isEmpty())
         return {};
     if (m_gesture.isAny)
-        return m_gesture.name.isEmpty() ? tr("Simulate") : m_gesture.name;
+        return m_gesture.name.empty() ? tr("Simulate") : said(m_gesture.name);
     const History& tree = m_history.tree();
-    return tree.undoTarget() ? std::optional(QString::fromStdString(tree.record(tree.current()).name)) : std::nullopt;
+    return tree.undoTarget() ? std::optional(said(tree.record(tree.current()).label())) : std::nullopt;
 }
 
 std::optional<QString> Document::redoName() const
@@ -31,7 +31,7 @@ std::optional<QString> Document::redoName() const
     if (m_history.isEmpty() || m_gesture.isAny)
         return {};
     const std::optional<Entry> target = m_history.tree().redoTarget();
-    return target ? std::optional(QString::fromStdString(m_history.tree().record(*target).name)) : std::nullopt;
+    return target ? std::optional(said(m_history.tree().record(*target).label())) : std::nullopt;
 }
 
 void Document::undo()
@@ -130,28 +130,30 @@ void Document::setOut()
 /// With progress, to be cancelled.
 void Document::goLong(const HistoryNavigation& navigation)
 {
-    const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
+    const Message name = m_history.tree().record(m_target).label();
     const auto work = [navigation](TaskControl& control) { return navigation.go(control); };
     const auto finish = [this, travel = m_travels](HistoryDestination destination) {
         if (travel == m_travels)
             arrive(std::move(destination));
     };
-    m_longTitle = tr("Going to %1").arg(name);
+    m_longTitle = said(Message("Document", "Going to %1").with(name));
     if (!m_tasks->run<HistoryDestination>(m_longTitle, work, finish))
-        giveUp(
-            tr("%1 is still going on: wait for it, or cancel it with Esc, then go to %2.").arg(m_tasks->title(), name));
+        giveUp(said(Message("Document", "%1 is still going on: wait for it, or cancel it with Esc, then go to %2.")
+                        .with(m_tasks->title().toStdString(), name)));
 }
 
 void Document::goShort(const HistoryNavigation& navigation)
 {
-    const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
+    const Message name = m_history.tree().record(m_target).label();
     m_history.inBackground([this, navigation, name, travel = m_travels] {
         auto destination = std::make_shared<HistoryDestination>();
         QString failure;
         try {
             *destination = navigation.go(TaskControl::none());
         } catch (const std::bad_alloc&) {
-            failure = tr("There is not enough memory to go to %1. Close other programs and try again.").arg(name);
+            failure =
+                said(Message("Document", "There is not enough memory to go to %1. Close other programs and try again.")
+                         .with(name));
         } catch (const std::exception& error) {
             failure = said(messageOf(error));
         }
@@ -241,7 +243,7 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t ru
     m_history.goTo(m_target);
     m_navigation = NavigationState::looking;
     ++m_travels;
-    m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
+    m_longTitle = said(Message("Document", "Branching from %1").with(record.label()));
     const auto work = [navigation = navigationTo(record.parent), commands = record.commands, step,
                        run](TaskControl& control) { return navigation.branch(commands, run, step, control); };
     const auto finish = [this, entry, travel = m_travels](Branch branch) {
@@ -249,8 +251,8 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t ru
             arriveAtBranch(entry, std::move(branch));
     };
     if (!m_tasks->run<Branch>(m_longTitle, work, finish))
-        giveUp(
-            tr("%1 is still going on: wait for it, or cancel it with Esc, then branch again.").arg(m_tasks->title()));
+        giveUp(said(Message("Document", "%1 is still going on: wait for it, or cancel it with Esc, then branch again.")
+                        .with(m_tasks->title().toStdString())));
 }
 
 void Document::arriveAtBranch(Entry from, Branch branch)
@@ -262,7 +264,7 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
     const std::uint32_t resets = resetsIn(branch.gesture.commands);
-    m_history.expect(tr("Branch at %1").arg(timeText(moment->time)))(std::move(branch.gesture));
+    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->time)))(std::move(branch.gesture));
     goInSimulation(moment);
     if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
         m_playback.repeat(from, moment->step, resets);

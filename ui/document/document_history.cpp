@@ -20,9 +20,10 @@ double now()
 }
 
 /// Without its moment, which then has to be found again.
-HistoryRecord bareRecord(const Gesture& gesture, const QString& name)
+HistoryRecord bareRecord(const Gesture& gesture, const Message& words)
 {
-    return {.name = name.toStdString(),
+    return {.name = words.english(),
+            .words = words,
             .commands = gesture.commands,
             .step = gesture.moment->step,
             .time = gesture.moment->time,
@@ -30,11 +31,11 @@ HistoryRecord bareRecord(const Gesture& gesture, const QString& name)
 }
 
 /// There may be no memory left to pack it.
-HistoryRecord packedRecord(Gesture gesture, const QString& name, const Packing& packing)
+HistoryRecord packedRecord(Gesture gesture, const Message& words, const Packing& packing)
 {
-    HistoryRecord bare = bareRecord(gesture, name);
+    HistoryRecord bare = bareRecord(gesture, words);
     try {
-        return recordOf(std::move(gesture), name.toStdString(), packing);
+        return recordOf(std::move(gesture), words, packing);
     } catch (const std::bad_alloc&) {
         return bare;
     }
@@ -86,10 +87,10 @@ void DocumentHistory::setModel(std::uint32_t start, std::shared_ptr<const Filled
     m_withContent.erase(m_withContent.begin());
 }
 
-void DocumentHistory::begin(Start start, Gesture first, const QString& name)
+void DocumentHistory::begin(Start start, Gesture first, const Message& words)
 {
     forget();
-    HistoryRecord record = bareRecord(first, name);
+    HistoryRecord record = bareRecord(first, words);
     record.wallTime = now();
     addStart(std::move(start));
     m_tree.emplace(std::move(record), m_memory);
@@ -118,19 +119,19 @@ void DocumentHistory::begin(std::vector<Start> starts, std::vector<HistoryRecord
     emit changed();
 }
 
-DocumentHistory::Ticket DocumentHistory::nextTicket(const QString& name)
+DocumentHistory::Ticket DocumentHistory::nextTicket(const Message& words)
 {
-    return {m_document, m_nextTicket++, name, {}, m_packing};
+    return {m_document, m_nextTicket++, words, {}, m_packing};
 }
 
-std::function<void(Gesture)> DocumentHistory::expect(const QString& name)
+std::function<void(Gesture)> DocumentHistory::expect(const Message& words)
 {
-    return [this, ticket = nextTicket(name)](Gesture gesture) { pack(ticket, std::move(gesture)); };
+    return [this, ticket = nextTicket(words)](Gesture gesture) { pack(ticket, std::move(gesture)); };
 }
 
-void DocumentHistory::expectStart(Start start, Gesture first, const QString& name)
+void DocumentHistory::expectStart(Start start, Gesture first, const Message& words)
 {
-    Ticket ticket = nextTicket(name);
+    Ticket ticket = nextTicket(words);
     ticket.start = static_cast<std::uint32_t>(m_starts.size());
     addStart(std::move(start));
     pack(ticket, std::move(first));
@@ -140,7 +141,7 @@ void DocumentHistory::expectStart(Start start, Gesture first, const QString& nam
 void DocumentHistory::pack(const Ticket& ticket, Gesture gesture)
 {
     m_worker.run([this, ticket, gesture = std::move(gesture)] {
-        HistoryRecord record = packedRecord(gesture, ticket.name, ticket.packing);
+        HistoryRecord record = packedRecord(gesture, ticket.words, ticket.packing);
         const auto handOver = [this, ticket, record = std::move(record)] { arrive(ticket, record); };
         QMetaObject::invokeMethod(this, handOver, Qt::QueuedConnection);
     });
@@ -168,8 +169,10 @@ void DocumentHistory::append(HistoryRecord record, std::optional<std::uint32_t> 
         return;
     }
     record.wallTime = now();
-    if (record.name.empty())
-        record.name = simulatedName(record.time - before.time).toStdString();
+    if (record.name.empty()) {
+        record.words = simulatedName(record.time - before.time);
+        record.name = record.words.english();
+    }
     const Entry entry = start ? m_tree->appendStart(std::move(record), *start) : m_tree->append(std::move(record));
     ++m_revision;
     emit appended(entry);

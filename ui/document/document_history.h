@@ -38,7 +38,7 @@ public:
     const Packing& packing() const { return m_packing; }
 
     /// A new document, shown; `first` becomes entry 0. What was there before is forgotten.
-    void begin(Start start, Gesture first, const QString& name);
+    void begin(Start start, Gesture first, const Message& words);
     /// One that was saved. @throws Problem when entries do not form a tree; nothing has changed
     void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
 
@@ -53,11 +53,11 @@ public:
     void setModel(std::uint32_t start, std::shared_ptr<const FilledModel> content);
 
     /// An entry is to come after all that were expected before. One in which nothing happened is left out.
-    /// @param name empty: after how long was simulated
+    /// @param words none: after how long was simulated
     /// @return takes its gesture, once, on any thread
-    std::function<void(Gesture)> expect(const QString& name);
+    std::function<void(Gesture)> expect(const Message& words);
     /// The same for one that begins with another start.
-    void expectStart(Start start, Gesture first, const QString& name);
+    void expectStart(Start start, Gesture first, const Message& words);
     bool isSettled() const { return m_nextTicket == m_nextEntry; }
 
     void goTo(Entry entry);
@@ -89,13 +89,13 @@ private:
     struct Ticket {
         std::uint64_t document;
         std::uint64_t number;
-        QString name;
+        Message words;
         std::optional<std::uint32_t> start; ///< that begins with it
         Packing packing;
     };
 
     void addStart(Start start);
-    Ticket nextTicket(const QString& name);
+    Ticket nextTicket(const Message& words);
     void pack(const Ticket& ticket, Gesture gesture);
     void arrive(const Ticket& ticket, HistoryRecord record);
     void append(HistoryRecord record, std::optional<std::uint32_t> start);

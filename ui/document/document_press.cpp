@@ -49,7 +49,7 @@ void Document::pressIt()
     if (laterHere(again) || whenFixturesAreKnown(again) || !canPressIt())
         return;
     FirstPress press = firstPress(*m_content->model, bearableStrain(m_frame->snapshot->materials));
-    const QString name = tr("Press it");
+    const Message name = Message("Document", "Press it");
     beginGesture();
     if (press.bends && m_frame->snapshot->floorHeight)
         post(SetFloor{}, name);

@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 
 #include "core/session/region_contents.h"
+#include "ui/language/said.h"
 #include "ui/selection/selection_model.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ void Document::fixRegion(const Region& region)
         FaceFixtures::Edit edit = isOfFaces ? m_fixtures.add(*m_content, body, {items.begin(), items.end()})
                                             : m_fixtures.addObjects(body, objects.at(body));
         key = edit.key;
-        postAll(std::move(edit.commands), tr("Fix selection"));
+        postAll(std::move(edit.commands), Message("Document", "Fix selection"));
     }
     if (key == 0)
         return;
@@ -56,7 +57,7 @@ void Document::fixRegion(const Region& region)
     emit changed(Change::Fixtures);
 }
 
-void Document::setMaterialOf(const Region& region, const Material& material, const QString& name)
+void Document::setMaterialOf(const Region& region, const Material& material, const Message& name)
 {
     if (laterHere([this, region, material, name] { setMaterialOf(region, material, name); }))
         return;
@@ -68,8 +69,8 @@ void Document::setMaterialOf(const Region& region, const Material& material, con
         SetMaterial command{.body = body, .material = material, .objects = own};
         if (region.level == Level::Part)
             command.objects.clear();
-        post(std::move(command),
-             name.isEmpty() ? tr("Material of selection") : tr("Material of selection → %1").arg(name));
+        post(std::move(command), name.empty() ? Message("Document", "Material of selection")
+                                              : Message("Document", "Material of selection → %1").with(name));
     }
 }
 
@@ -83,7 +84,7 @@ void Document::renormalizeRegion(const Region& region)
         Renormalize command{.body = body, .objects = objects};
         if (region.level == Level::Part)
             command.objects.clear();
-        post(std::move(command), tr("Re-normalize selection"));
+        post(std::move(command), Message("Document", "Re-normalize selection"));
     }
 }
 
@@ -115,9 +116,11 @@ Region Document::regionOf(const SelectionSet& set)
     region.level = set.level;
     const bool isOfHere = set.start == m_start;
     if (!isOfHere && isOfOneFilling(set.level)) {
-        emit notice(tr("\"%1\" names edges or connections of another filling: undo to go back to that, or select them "
-                       "again and save them under this name.")
-                        .arg(QString::fromStdString(set.name)));
+        emit notice(said(
+            Message("Document",
+                    "\"%1\" names edges or connections of another filling: undo to go back to that, or select them "
+                    "again and save them under this name.")
+                .with(set.name)));
         return region;
     }
     const auto& starts = m_history.starts();

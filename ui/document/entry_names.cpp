@@ -1,6 +1,6 @@
 #include "ui/document/entry_names.h"
 
-#include <QCoreApplication>
+#include "ui/language/said.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,6 @@ namespace knead {
 
 namespace {
 
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(EntryNames)
-};
-
 /// Names what commands do.
 class Namer {
 public:
@@ -24,110 +20,119 @@ public:
     {
     }
 
-    QString operator()(const SetMaterial& command) const { return Words::tr("Material of %1").arg(body(command.body)); }
-    QString operator()(const SetBodyKind& command) const
+    Message operator()(const SetMaterial& command) const
     {
-        return (command.kind == BodyKind::rigid  ? Words::tr("%1 becomes rigid")
-                : command.kind == BodyKind::glue ? Words::tr("%1 becomes glue")
-                                                 : Words::tr("%1 becomes deformable"))
-            .arg(body(command.body));
+        return Message("EntryNames", "Material of %1").with(body(command.body));
     }
-    QString operator()(const Renormalize&) const { return Words::tr("Re-normalize"); }
-    QString operator()(const SetGravity& command) const
+    Message operator()(const SetBodyKind& command) const
     {
-        return command.gravity.isZero() ? Words::tr("Gravity off") : Words::tr("Gravity on");
+        return (command.kind == BodyKind::rigid  ? Message("EntryNames", "%1 becomes rigid")
+                : command.kind == BodyKind::glue ? Message("EntryNames", "%1 becomes glue")
+                                                 : Message("EntryNames", "%1 becomes deformable"))
+            .with(body(command.body));
     }
-    QString operator()(const SetFloor& command) const
+    Message operator()(const Renormalize&) const { return Message("EntryNames", "Re-normalize"); }
+    Message operator()(const SetGravity& command) const
     {
-        return command.height ? Words::tr("Floor on") : Words::tr("Floor off");
+        return command.gravity.isZero() ? Message("EntryNames", "Gravity off") : Message("EntryNames", "Gravity on");
     }
-    QString operator()(const AddManipulator& command) const
+    Message operator()(const SetFloor& command) const
     {
-        return Words::tr("Add %1").arg(QString::fromStdString(command.manipulator.name));
+        return command.height ? Message("EntryNames", "Floor on") : Message("EntryNames", "Floor off");
     }
-    QString operator()(const RemoveManipulator& command) const
+    Message operator()(const AddManipulator& command) const
     {
-        return Words::tr("Remove %1").arg(tool(command.tool));
+        return Message("EntryNames", "Add %1").with(command.manipulator.name);
     }
-    QString operator()(const SetManipulatorMotion& command) const
+    Message operator()(const RemoveManipulator& command) const
     {
-        return std::holds_alternative<HoldStill>(command.motion) ? Words::tr("Stop %1").arg(tool(command.tool))
-                                                                 : Words::tr("Push with %1").arg(tool(command.tool));
+        return Message("EntryNames", "Remove %1").with(tool(command.tool));
     }
-    QString operator()(const ReshapeManipulator& command) const
+    Message operator()(const SetManipulatorMotion& command) const
     {
-        return Words::tr("Change %1").arg(tool(command.tool));
+        return std::holds_alternative<HoldStill>(command.motion)
+                   ? Message("EntryNames", "Stop %1").with(tool(command.tool))
+                   : Message("EntryNames", "Push with %1").with(tool(command.tool));
     }
-    QString operator()(const PlaceManipulator& command) const { return Words::tr("Move %1").arg(tool(command.tool)); }
-    QString operator()(const AddFixture& command) const
+    Message operator()(const ReshapeManipulator& command) const
     {
-        return Words::tr("Fix %1").arg(QString::fromStdString(command.fixture.name));
+        return Message("EntryNames", "Change %1").with(tool(command.tool));
     }
-    QString operator()(const RemoveFixture& command) const
+    Message operator()(const PlaceManipulator& command) const
     {
-        return Words::tr("Remove %1").arg(fixture(command.fixture));
+        return Message("EntryNames", "Move %1").with(tool(command.tool));
     }
-    QString operator()(const MoveFixture& command) const { return Words::tr("Move %1").arg(fixture(command.fixture)); }
-    QString operator()(const SetIntegrator& command) const
+    Message operator()(const AddFixture& command) const
+    {
+        return Message("EntryNames", "Fix %1").with(command.fixture.name);
+    }
+    Message operator()(const RemoveFixture& command) const
+    {
+        return Message("EntryNames", "Remove %1").with(fixture(command.fixture));
+    }
+    Message operator()(const MoveFixture& command) const
+    {
+        return Message("EntryNames", "Move %1").with(fixture(command.fixture));
+    }
+    Message operator()(const SetIntegrator& command) const
     {
         switch (command.integrator) {
         case Integrator::semiImplicitEuler:
-            return Words::tr("Semi-implicit steps");
+            return Message("EntryNames", "Semi-implicit steps");
         case Integrator::forwardEuler:
-            return Words::tr("Forward steps");
+            return Message("EntryNames", "Forward steps");
         case Integrator::implicitEuler:
-            return Words::tr("Implicit steps");
+            return Message("EntryNames", "Implicit steps");
         case Integrator::automatic:
             break;
         }
-        return Words::tr("Automatic steps");
+        return Message("EntryNames", "Automatic steps");
     }
-    QString operator()(const SetPace&) const { return {}; } // by itself, to keep up
-    QString operator()(const Reset&) const { return Words::tr("Reset"); }
-    QString operator()(const KeepMoment&) const { return {}; }
-    QString operator()(const SetPartLook& command) const
+    Message operator()(const SetPace&) const { return {}; } // by itself, to keep up
+    Message operator()(const Reset&) const { return Message("EntryNames", "Reset"); }
+    Message operator()(const KeepMoment&) const { return {}; }
+    Message operator()(const SetPartLook& command) const
     {
-        return command.name.empty() ? Words::tr("Look of a part")
-                                    : Words::tr("Look of %1").arg(QString::fromStdString(command.name));
+        return command.name.empty() ? Message("EntryNames", "Look of a part")
+                                    : Message("EntryNames", "Look of %1").with(command.name);
     }
-    QString operator()(const RenameManipulator& command) const
+    Message operator()(const RenameManipulator& command) const
     {
-        return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
+        return Message("EntryNames", "Rename to %1").with(command.name);
     }
-    QString operator()(const AddLoad& command) const
+    Message operator()(const AddLoad& command) const { return Message("EntryNames", "Add %1").with(command.load.name); }
+    Message operator()(const RemoveLoad& /*command*/) const { return Message("EntryNames", "Remove %1").with(load()); }
+    Message operator()(const Refill& command) const
     {
-        return Words::tr("Add %1").arg(QString::fromStdString(command.load.name));
+        return Message("EntryNames", "Refill %1").with(body(command.body));
     }
-    QString operator()(const RemoveLoad& /*command*/) const { return Words::tr("Remove %1").arg(load()); }
-    QString operator()(const Refill& command) const { return Words::tr("Refill %1").arg(body(command.body)); }
-    QString operator()(const Cut& command) const { return Words::tr("Cut %1").arg(body(command.body)); }
-    QString operator()(const FindBalance& /*command*/) const { return Words::tr("Find balance"); }
-    QString operator()(const SetLoad& /*command*/) const { return Words::tr("Change %1").arg(load()); }
-    QString operator()(const RenameFixture& command) const
+    Message operator()(const Cut& command) const { return Message("EntryNames", "Cut %1").with(body(command.body)); }
+    Message operator()(const FindBalance& /*command*/) const { return Message("EntryNames", "Find balance"); }
+    Message operator()(const SetLoad& /*command*/) const { return Message("EntryNames", "Change %1").with(load()); }
+    Message operator()(const RenameFixture& command) const
     {
-        return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
+        return Message("EntryNames", "Rename to %1").with(command.name);
     }
 
 private:
-    static QString load() { return Words::tr("the load"); }
-    QString body(BodyId id) const
+    static Message load() { return Message("EntryNames", "the load"); }
+    Message body(BodyId id) const
     {
-        return id < m_content.bodies.size() ? QString::fromStdString(m_content.bodies[id]->name)
-                                            : Words::tr("the body");
+        return id < m_content.bodies.size() ? Message::verbatim(m_content.bodies[id]->name)
+                                            : Message("EntryNames", "the body");
     }
-    QString tool(ToolId id) const
+    Message tool(ToolId id) const
     {
         const auto found =
             std::find_if(m_now.tools.begin(), m_now.tools.end(), [id](const ToolState& tool) { return tool.id == id; });
-        return found == m_now.tools.end() ? Words::tr("the tool") : QString::fromStdString(found->name);
+        return found == m_now.tools.end() ? Message("EntryNames", "the tool") : Message::verbatim(found->name);
     }
-    QString fixture(FixtureId id) const
+    Message fixture(FixtureId id) const
     {
         const auto found = std::find(m_now.fixtureIds.begin(), m_now.fixtureIds.end(), id);
         return found == m_now.fixtureIds.end()
-                   ? Words::tr("the fixture")
-                   : QString::fromStdString(
-                         m_now.fixtures[static_cast<std::size_t>(found - m_now.fixtureIds.begin())].name);
+                   ? Message("EntryNames", "the fixture")
+                   : Message::verbatim(m_now.fixtures[static_cast<std::size_t>(found - m_now.fixtureIds.begin())].name);
     }
 
     const FilledModel& m_content;
@@ -228,23 +233,29 @@ const char* iconOf(EntryKind kind)
     return "gravity";
 }
 
-QString nameOf(const Command& command, const FilledModel& content, const Snapshot& now)
+Message nameOf(const Command& command, const FilledModel& content, const Snapshot& now)
 {
     return std::visit(Namer(content, now), command);
 }
 
-QString simulatedName(double seconds)
+Message simulatedName(double seconds)
 {
-    return Words::tr("Simulate %1").arg(timeText(seconds));
+    return Message("EntryNames", "Simulate %1").with(timePhrase(seconds));
+}
+
+Message timePhrase(double seconds)
+{
+    const auto number = [](double value, int digits) { return QString::number(value, 'f', digits).toStdString(); };
+    if (seconds == 0)
+        return Message("EntryNames", "0 s");
+    if (std::abs(seconds) < 0.0995)
+        return Message("EntryNames", "%1 ms").with(number(1000 * seconds, std::abs(seconds) < 0.00995 ? 1 : 0));
+    return Message("EntryNames", "%1 s").with(number(seconds, std::abs(seconds) < 9.95 ? 2 : 1));
 }
 
 QString timeText(double seconds)
 {
-    if (seconds == 0)
-        return Words::tr("0 s");
-    if (std::abs(seconds) < 0.0995)
-        return Words::tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
-    return Words::tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
+    return said(timePhrase(seconds));
 }
 
 QString mergeKeyOf(const Command& command)

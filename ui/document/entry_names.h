@@ -34,13 +34,14 @@ const char* iconOf(EntryKind kind);
 
 /// What a command does, in words for the history: "Add Block 1"; empty for one that is nothing by itself.
 /// @param now as it was before the command
-QString nameOf(const Command& command, const FilledModel& content, const Snapshot& now);
+Message nameOf(const Command& command, const FilledModel& content, const Snapshot& now);
 
 /// "Simulate 3.2 s"
-QString simulatedName(double seconds);
+Message simulatedName(double seconds);
 
 /// "3.2 s", "41 ms": simulated time with as many digits as help.
-QString timeText(double seconds);
+Message timePhrase(double seconds);
+QString timeText(double seconds); ///< the same, said
 
 /// What commands have in common that are one entry when they follow each other within a second: moves of one tool. Empty for
 /// others.

@@ -1,6 +1,7 @@
 #include "ui/document/fold_watch.h"
 
 #include "core/geometry/self_intersection.h"
+#include "ui/language/said.h"
 #include "ui/units.h"
 
 #include <QTimer>
@@ -180,10 +181,12 @@ void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
     const std::vector<Fold> before = std::exchange(m_folds, std::move(folds));
     for (const Fold& fold : m_folds)
         if (std::ranges::find(before, fold.body, &Fold::body) == before.end())
-            emit said(
-                tr("%1 is folded over itself near (%2): material was pushed over material, and its faces cross there "
-                   "in files, too. Undo the stroke, or press the place smooth with a larger tool.")
-                    .arg(m_document.nameOfBody(fold.body), placeText(fold.place)));
+            emit said(knead::said(
+                Message(
+                    "FoldWatch",
+                    "%1 is folded over itself near (%2): material was pushed over material, and its faces cross there "
+                    "in files, too. Undo the stroke, or press the place smooth with a larger tool.")
+                    .with(m_document.nameOfBody(fold.body).toStdString(), placeText(fold.place).toStdString())));
     if (!m_folds.empty() || !before.empty())
         emit changed();
 }

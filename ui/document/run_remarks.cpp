@@ -46,11 +46,14 @@ void RunRemarks::lookAtPace()
                       m_document.speed()))
         return;
     const StallWatch::Stall stall = m_stall.stall();
-    emit said(
-        tr("Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower "
-           "tools or ones that begin outside the material make it faster.")
-            .arg(formatReading(stall.simulated, Quantity::Time), formatReading(stall.wall, Quantity::Time),
-                 formatReading(now.timeStep, Quantity::Time)));
+    emit said(knead::said(
+        Message(
+            "RunRemarks",
+            "Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower "
+            "tools or ones that begin outside the material make it faster.")
+            .with(formatReading(stall.simulated, Quantity::Time).toStdString(),
+                  formatReading(stall.wall, Quantity::Time).toStdString(),
+                  formatReading(now.timeStep, Quantity::Time).toStdString())));
 }
 
 } // namespace knead

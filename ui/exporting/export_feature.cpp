@@ -7,6 +7,7 @@
 #include "ui/dialogs/format_filters.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 #include "ui/panels/export_panel.h"
 #include "ui/selection/selection_model.h"
 #include "ui/viewport/viewport_widget.h"
@@ -82,7 +83,7 @@ void ExportFeature::exportTo(const QString& path, const ExportRequest& request)
         return reports;
     };
     m_bench.tasks.run<std::vector<ExportReport>>(
-        tr("Exporting %1").arg(QFileInfo(path).fileName()), work,
+        said(Message("ExportFeature", "Exporting %1").with(QFileInfo(path).fileName().toStdString())), work,
         [this](const std::vector<ExportReport>& reports) { showExport(reports); });
 }
 
@@ -147,8 +148,9 @@ void ExportFeature::showExport(const std::vector<ExportReport>& reports)
         m_bench.notices.note((parts == 1 ? tr("Exported 1 part to %1.") : tr("Exported %2 parts to %1.").arg(parts))
                                  .arg(QFile::decodeName(report.file.c_str())));
         if (!report.isSound())
-            m_bench.notices.problem(tr("Not everything in %1 is sound; the export report says what is not.")
-                                        .arg(QFileInfo(QFile::decodeName(report.file.c_str())).fileName()));
+            m_bench.notices.problem(
+                said(Message("ExportFeature", "Not everything in %1 is sound; the export report says what is not.")
+                         .with(QFileInfo(QFile::decodeName(report.file.c_str())).fileName().toStdString())));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/dialogs/file_question.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/workbench.h"
+#include "ui/language/said.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -24,10 +25,9 @@ void write(const QByteArray& bytes, const std::string& pathForNow, const QString
 {
     QFile file(QFile::decodeName(pathForNow.c_str()));
     if (!file.open(QFile::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
-        throw std::runtime_error(
-            TextFiles::tr("%1 cannot be written (%2). Choose another folder, or make room on the disk.")
-                .arg(path, file.errorString())
-                .toStdString());
+        throw Problem(
+            Message("TextFiles", "%1 cannot be written (%2). Choose another folder, or make room on the disk.")
+                .with(path.toStdString(), file.errorString().toStdString()));
 }
 
 } // namespace
@@ -55,7 +55,7 @@ void writeTextFile(const Workbench& bench, const QString& path, std::function<QB
         return true;
     };
     bench.tasks.run<bool>(
-        TextFiles::tr("Writing %1").arg(QFileInfo(path).fileName()), work,
+        said(Message("TextFiles", "Writing %1").with(QFileInfo(path).fileName().toStdString())), work,
         [&notices = bench.notices, path](bool) { notices.note(TextFiles::tr("Written: %1.").arg(path)); });
 }
 

@@ -1,6 +1,7 @@
 #include "ui/frame/workbench.h"
 
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -10,9 +11,8 @@ namespace knead {
 bool Workbench::isBusy() const
 {
     if (tasks.isRunning())
-        notices.problem(
-            QCoreApplication::translate("Workbench", "%1 is still going on: wait for it, or cancel it with Esc.")
-                .arg(tasks.title()));
+        notices.problem(said(Message("Workbench", "%1 is still going on: wait for it, or cancel it with Esc.")
+                                 .with(tasks.title().toStdString())));
     return tasks.isRunning();
 }
 

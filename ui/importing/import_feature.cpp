@@ -90,7 +90,7 @@ void ImportFeature::open(const ImportChoices& request)
                           TaskControl& control) { return prepareFiles(services.import, request, material, control); };
     const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
     const auto others = static_cast<int>(request.paths.size()) - 1;
-    m_bench.tasks.run<PreparedModel>(others == 0 ? tr("Opening %1").arg(name)
+    m_bench.tasks.run<PreparedModel>(others == 0 ? said(Message("ImportFeature", "Opening %1").with(name.toStdString()))
                                                  : tr("Opening %1 and %n more", nullptr, others).arg(name),
                                      work, [this](PreparedModel prepared) { m_projects.open(std::move(prepared)); });
 }
@@ -111,7 +111,7 @@ void ImportFeature::openWithChoices(const QStringList& paths)
         return previews;
     };
     m_bench.tasks.run<std::vector<FilePreview>>(
-        tr("Looking into %1").arg(QFileInfo(paths.front()).fileName()), work,
+        said(Message("ImportFeature", "Looking into %1").with(QFileInfo(paths.front()).fileName().toStdString())), work,
         [this](std::vector<FilePreview> previews) { askForChoices(std::move(previews)); });
 }
 
@@ -167,7 +167,8 @@ void ImportFeature::startRefill(double spacing)
         else
             QTimer::singleShot(0, this, [this, spacing] { refillOnceMore(spacing); });
     };
-    m_bench.tasks.run<PreparedModel>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
+    m_bench.tasks.run<PreparedModel>(said(Message("ImportFeature", "Filling with a spacing of %1")
+                                              .with(formatQuantity(spacing, Quantity::Length).toStdString())),
                                      work, finish);
 }
 
@@ -191,8 +192,8 @@ void ImportFeature::showRefilled(PreparedModel prepared)
     m_bench.document.refill(std::move(prepared));
     for (const auto& [part, reason] : m_bench.document.content().unfilled)
         if (!before.contains(part))
-            m_bench.notices.problem(
-                tr("\"%1\" is not simulated: %2").arg(m_bench.document.nameOfPart(part), said(reason)));
+            m_bench.notices.problem(said(Message("ImportFeature", "\"%1\" is not simulated: %2")
+                                             .with(m_bench.document.nameOfPart(part).toStdString(), reason)));
 }
 
 void ImportFeature::tellOfModel()
@@ -225,14 +226,17 @@ void ImportFeature::showImport()
         m_bench.docks.of("importDock").raise();
     if (model.unitRemark) {
         const QString unit = QString::fromStdString(model.unitRemark->unit);
-        m_bench.notices.problem(said(model.unitRemark->sentence), tr("Take as %1").arg(unit),
+        m_bench.notices.problem(said(model.unitRemark->sentence),
+                                said(Message("ImportFeature", "Take as %1").with(unit.toStdString())),
                                 [this, unit] { takeIn(unit); });
     } else if (!model.missing.empty()) {
-        m_bench.notices.problem(model.missing.size() == 1
-                                    ? said(model.missing.front())
-                                    : tr("%1 parts of the file are missing; the import report says which and why.")
-                                          .arg(formatCount(model.missing.size())),
-                                tr("Show report"), [this] { m_bench.docks.show("importDock"); });
+        m_bench.notices.problem(
+            model.missing.size() == 1
+                ? said(model.missing.front())
+                : said(Message("ImportFeature",
+                               "%1 parts of the file are missing; the import report says which and why.")
+                           .with(formatCount(model.missing.size()).toStdString())),
+            tr("Show report"), [this] { m_bench.docks.show("importDock"); });
     } else if (content.bodies.empty()) {
         m_bench.notices.problem(
             tr("Nothing in this file is closed, so nothing can be filled and simulated; the import report says "
@@ -263,7 +267,7 @@ void ImportFeature::takeIn(const QString& unit)
     request.spacing.reset(); // it was chosen for another size
     m_projects.keeper().letGo([this, unit, request] {
         openAgain(
-            tr("Taking lengths in %1").arg(unit),
+            said(Message("ImportFeature", "Taking lengths in %1").with(unit.toStdString())),
             [name = request.options.unit](const Model& model) { return takenIn(model, name); }, request);
     });
 }

@@ -1,5 +1,6 @@
 #include "ui/interaction/press_hand.h"
 
+#include "ui/language/said.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -90,12 +91,12 @@ bool PressHand::mousePressed(QMouseEvent& event)
 QString PressHand::whyNotPressed(BodyId body) const
 {
     if (m_document.frame()->snapshot->bodies[body].kind != BodyKind::deformable)
-        return tr("%1 does not deform: make it deformable in the properties to press into it.")
-            .arg(m_document.nameOfBody(body));
+        return said(Message("PressHand", "%1 does not deform: make it deformable in the properties to press into it.")
+                        .with(m_document.nameOfBody(body).toStdString()));
     const ToolState* tool = toolToTake();
     if (tool != nullptr && m_document.isLocked({Selection::Kind::Tool, tool->id}))
-        return tr("%1 is locked: unlock it in the model tree to press with it.")
-            .arg(QString::fromStdString(tool->name));
+        return said(
+            Message("PressHand", "%1 is locked: unlock it in the model tree to press with it.").with(tool->name));
     return {};
 }
 
@@ -131,7 +132,7 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
     Press press;
     press.makesTimeRun = makesTimeRun;
     m_document.beginGesture();
-    const QString entry = tr("Press on %1").arg(name);
+    const Message entry = Message("PressHand", "Press on %1").with(name.toStdString());
     if (const ToolState* taken = toolToTake()) {
         const ToolState tool = m_document.toolWithEdits(taken->id).value_or(*taken);
         press.tool = tool.name;

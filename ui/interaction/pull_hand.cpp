@@ -1,6 +1,7 @@
 #include "ui/interaction/pull_hand.h"
 
 #include "ui/interaction/spring_line.h"
+#include "ui/language/said.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -75,7 +76,9 @@ void PullHand::begin(const PickHit& hit)
     const Snapshot& now = *m_document.frame()->snapshot;
     const QString name = m_document.nameOfBody(hit.id);
     if (now.bodies[hit.id].kind != BodyKind::deformable) {
-        emit refused(tr("%1 does not deform: make it deformable in the properties, or push it with a tool.").arg(name));
+        emit refused(said(
+            Message("PullHand", "%1 does not deform: make it deformable in the properties, or push it with a tool.")
+                .with(name.toStdString())));
         return;
     }
     const double spacing = m_document.content().bodies[hit.id]->aggregate->lattice.spacing;
@@ -84,7 +87,9 @@ void PullHand::begin(const PickHit& hit)
     pull.body = hit.id;
     pull.objects = patchAround(hit.id, hit.place, radius);
     if (pull.objects.empty()) {
-        emit refused(tr("%1 is held at this place: free it with Fix faces, or pull at another place.").arg(name));
+        emit refused(
+            said(Message("PullHand", "%1 is held at this place: free it with Fix faces, or pull at another place.")
+                     .with(name.toStdString())));
         return;
     }
     pull.grip = freeName();
@@ -97,7 +102,8 @@ void PullHand::begin(const PickHit& hit)
     m_view.setFocus(Qt::MouseFocusReason);
     m_view.setCursor(Qt::ClosedHandCursor);
     m_document.beginGesture();
-    m_document.post(AddFixture{{m_pull->grip, hit.id, m_pull->objects}}, tr("Pull %1").arg(name));
+    m_document.post(AddFixture{{m_pull->grip, hit.id, m_pull->objects}},
+                    Message("PullHand", "Pull %1").with(name.toStdString()));
     if (m_pull->makesTimeRun)
         m_document.play();
     m_overlay->refresh();

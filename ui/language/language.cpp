@@ -1,9 +1,9 @@
 #include "ui/language/language.h"
 
-#include "ui/language/phrasebook.h"
 #include "ui/language/retranslation.h"
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPointer>
@@ -37,7 +37,21 @@ const char* withoutNamespace(const char* context)
     return std::string_view(context).starts_with(name) ? context + name.size() : context;
 }
 
-/// Asks our translations, then those of Qt, and remembers what was said. Tasks say things too, on their threads.
+/// A text of the source code, as tr() asks for it.
+struct Phrase {
+    QByteArray context; ///< mostly the class that says it
+    QByteArray source;
+    QByteArray comment;
+    int count; ///< that decides between singular and plural; -1: none
+    friend bool operator==(const Phrase&, const Phrase&) = default;
+};
+
+std::size_t qHash(const Phrase& phrase, std::size_t seed = 0)
+{
+    return qHashMulti(seed, phrase.context, phrase.source, phrase.comment, phrase.count);
+}
+
+/// Asks our translations, then those of Qt, and notes what it says. Tasks say things too, on their threads.
 class Interpreter final : public QTranslator {
 public:
     using QTranslator::QTranslator;
@@ -46,17 +60,19 @@ public:
 
     QString translate(const char* context, const char* source, const char* comment, int count) const override
     {
+        const Phrase phrase{context, source, comment, count};
         const std::lock_guard lock(m_mutex);
-        // lupdate writes contexts without the namespace.
-        QString said = m_own->translate(withoutNamespace(context), source, comment, count);
+        QString& said = m_said[phrase];
         if (said.isNull())
-            said = m_qt->translate(context, source, comment, count);
-        m_book.add(said.isNull() ? QString::fromUtf8(source) : said, {context, source, comment});
+            said = noted(inWords(context, source, comment, count), [phrase] {
+                return QCoreApplication::translate(phrase.context, phrase.source,
+                                                   phrase.comment.isNull() ? nullptr : phrase.comment.data(),
+                                                   phrase.count);
+            });
         return said;
     }
 
-    /// @return what was said in the language before
-    Phrasebook change(const QString& code)
+    void change(const QString& code)
     {
         auto own = std::make_unique<QTranslator>();
         auto qt = std::make_unique<QTranslator>();
@@ -69,17 +85,26 @@ public:
         m_code = code;
         m_own = std::move(own);
         m_qt = std::move(qt);
-        return std::exchange(m_book, {});
+        m_said.clear();
     }
 
     const QString& code() const { return m_code; }
 
 private:
+    QString inWords(const char* context, const char* source, const char* comment, int count) const
+    {
+        // lupdate writes contexts without the namespace.
+        if (QString said = m_own->translate(withoutNamespace(context), source, comment, count); !said.isNull())
+            return said;
+        const QString said = m_qt->translate(context, source, comment, count);
+        return said.isNull() ? QString::fromUtf8(source) : said;
+    }
+
     mutable std::mutex m_mutex;
     QString m_code;
     std::unique_ptr<QTranslator> m_own = std::make_unique<QTranslator>();
     std::unique_ptr<QTranslator> m_qt = std::make_unique<QTranslator>();
-    mutable Phrasebook m_book;
+    mutable QHash<Phrase, QString> m_said; ///< one string for each, however often it is asked for
 };
 
 /// It goes with the application.
@@ -119,10 +144,10 @@ void speak(const QString& code)
     Interpreter& now = interpreter();
     if (now.code() == code || !isOurs(code))
         return;
-    const Phrasebook before = now.change(code);
+    now.change(code);
     QEvent change(QEvent::LanguageChange); // Qt's own texts, and who wants to know
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);
-    retranslate(before);
+    retranslate();
 }
 
 QString spokenLanguage()

@@ -20,9 +20,9 @@ std::span<const Language> languages();
 QString languageFor(const QString& wanted);
 
 /// Has the whole program speak a language. What is shown changes at once, in windows, menus, dialogs and panels, none of which
-/// has to know: whatever was said through tr() is remembered and said again. Texts inside of item models and pictures are for
-/// those who make them, at QEvent::LanguageChange. What a person named stays. Window thread; also before the first window, as
-/// only what was said afterwards is remembered.
+/// has to know: what tr() and said() gave is noted, and said anew; see retranslation.h. What was put together by other means, and
+/// texts inside of item models and pictures, are for those who make them, at QEvent::LanguageChange. What a person named stays.
+/// Window thread; also before the first window.
 /// @param code of languages()
 void speak(const QString& code);
 

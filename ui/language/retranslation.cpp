@@ -1,8 +1,5 @@
 #include "ui/language/retranslation.h"
 
-#include "ui/language/phrasebook.h"
-#include "ui/language/tip_properties.h"
-
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -16,139 +13,145 @@
 #include <QTreeWidgetItemIterator>
 #include <QWidget>
 
+#include <algorithm>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
 namespace knead {
 
 namespace {
 
-QString say(const Phrase& phrase, int count)
-{
-    return QCoreApplication::translate(phrase.context, phrase.source,
-                                       phrase.comment.isEmpty() ? nullptr : phrase.comment.data(), count);
-}
+/// What was noted.
+class Notes {
+public:
+    void add(const QString& text, std::function<QString()> say)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_notes.size() >= m_most) {
+            std::erase_if(m_notes, [](const auto& note) { return note.second.text.isDetached(); }); // nobody has them
+            m_most = std::max(least, 2 * m_notes.size());
+        }
+        m_notes[text.constData()] = {text, std::move(say)};
+    }
 
-/// Classes of an object and of all it is in.
-QByteArrayList contextsOf(const QObject* object)
+    /// In the language of now. What was not noted stays as it is.
+    QString anew(const QString& text) const
+    {
+        std::unique_lock lock(m_mutex);
+        const auto found = text.isEmpty() ? m_notes.end() : m_notes.find(text.constData());
+        if (found == m_notes.end())
+            return text;
+        const std::function<QString()> say = found->second.say;
+        lock.unlock(); // it notes things, too
+        return say();
+    }
+
+private:
+    static constexpr std::size_t least = 4096;
+
+    struct Note {
+        QString text; ///< which keeps its memory from becoming that of another
+        std::function<QString()> say;
+    };
+
+    mutable std::mutex m_mutex;
+    std::unordered_map<const QChar*, Note> m_notes; ///< by where their letters are
+    std::size_t m_most = least;
+};
+
+Notes& notes()
 {
-    QByteArrayList contexts;
-    for (; object != nullptr; object = object->parent())
-        for (const QMetaObject* kind = object->metaObject(); kind != nullptr; kind = kind->superClass())
-            contexts << kind->className();
-    return contexts;
+    static Notes all;
+    return all;
 }
 
 /// One object's texts.
 class Retranslator {
 public:
-    Retranslator(const Phrasebook& book, QObject& object)
-        : m_book(book)
-        , m_object(object)
-        , m_contexts(contextsOf(&object))
+    explicit Retranslator(QObject& object)
+        : m_object(object)
     {
     }
 
     void texts()
     {
         for (const char* name : {"windowTitle", "title", "text", "toolTip", "statusTip", "whatsThis", "placeholderText",
-                                 "prefix", "suffix", "specialValueText", "accessibleName"}) {
+                                 "prefix", "suffix", "specialValueText", "accessibleName", "whyDisabled"}) {
             if (QByteArrayView(name) == "text" && qobject_cast<QLineEdit*>(&m_object) != nullptr)
                 continue; // a person's
             property(name);
         }
     }
 
-    /// Tips to which keys were added; who added them does so again.
+    /// A tip to which keys were added; who added them does so again.
     void tip(QAction& action)
     {
-        const QString shown = action.property(tip_properties::withoutKeys).toString();
-        if (!shown.isEmpty() && !action.property(tip_properties::isText).toBool())
-            action.setToolTip(said(shown));
-        const QString why = action.property("whyDisabled").toString();
-        if (!why.isEmpty())
-            action.setProperty("whyDisabled", said(why));
+        const QString shown = action.property(tipWithoutKeys).toString();
+        if (const QString now = saidAnew(shown); now != shown)
+            action.setToolTip(now);
     }
 
     void choices(QComboBox& box)
     {
         const QSignalBlocker blocker(box); // what is chosen stays chosen
         for (int i = 0; i < box.count(); ++i) {
-            box.setItemText(i, said(box.itemText(i)));
+            box.setItemText(i, saidAnew(box.itemText(i)));
             const QString tip = box.itemData(i, Qt::ToolTipRole).toString();
             if (!tip.isEmpty())
-                box.setItemData(i, said(tip), Qt::ToolTipRole);
+                box.setItemData(i, saidAnew(tip), Qt::ToolTipRole);
         }
     }
 
     void tabs(QTabWidget& tabs)
     {
         for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setTabText(i, said(tabs.tabText(i)));
-            tabs.setTabToolTip(i, said(tabs.tabToolTip(i)));
+            tabs.setTabText(i, saidAnew(tabs.tabText(i)));
+            tabs.setTabToolTip(i, saidAnew(tabs.tabToolTip(i)));
         }
     }
 
     void outline(QTreeWidget& tree)
     {
         const QSignalBlocker blocker(tree); // nothing was edited
-        headings(tree);
-        items(tree);
-    }
-
-    void headings(QTreeWidget& tree)
-    {
-        QTreeWidgetItem* head = tree.headerItem();
-        for (int i = 0; i < tree.columnCount(); ++i) {
-            head->setText(i, said(head->text(i)));
-            head->setToolTip(i, said(head->toolTip(i)));
-        }
-    }
-
-    /// What the tree itself says, as "Tools"; what a person may rename is hers.
-    void items(QTreeWidget& tree)
-    {
-        for (QTreeWidgetItemIterator item(&tree); *item != nullptr; ++item)
-            for (int i = 0; i < tree.columnCount(); ++i) {
-                (*item)->setToolTip(i, said((*item)->toolTip(i)));
-                const bool isHers = (*item)->flags().testFlag(Qt::ItemIsEditable);
-                if (const auto own = m_book.ownPhrase((*item)->text(i), m_contexts, say); own && !isHers)
-                    (*item)->setText(i, *own);
-            }
+        item(*tree.headerItem());
+        for (QTreeWidgetItemIterator one(&tree); *one != nullptr; ++one)
+            item(**one);
     }
 
     void headings(QTableWidget& table)
     {
         for (int i = 0; i < table.columnCount(); ++i)
             if (QTableWidgetItem* head = table.horizontalHeaderItem(i))
-                head->setText(said(head->text()));
+                head->setText(saidAnew(head->text()));
         for (int i = 0; i < table.rowCount(); ++i)
             if (QTableWidgetItem* head = table.verticalHeaderItem(i))
-                head->setText(said(head->text()));
+                head->setText(saidAnew(head->text()));
     }
 
 private:
-    QString said(const QString& shown) const
+    void item(QTreeWidgetItem& item)
     {
-        return shown.isEmpty() ? shown : m_book.translated(shown, m_contexts, say);
+        for (int i = 0; i < item.columnCount(); ++i) {
+            item.setText(i, saidAnew(item.text(i)));
+            item.setToolTip(i, saidAnew(item.toolTip(i)));
+        }
     }
 
     void property(const char* name)
     {
-        const int index = m_object.metaObject()->indexOfProperty(name);
-        if (index < 0 || !m_object.metaObject()->property(index).isWritable())
-            return;
         const QString shown = m_object.property(name).toString();
-        const QString now = said(shown);
+        const QString now = saidAnew(shown);
         if (now != shown)
             m_object.setProperty(name, now);
     }
 
-    const Phrasebook& m_book;
     QObject& m_object;
-    QByteArrayList m_contexts;
 };
 
-void retranslate(const Phrasebook& book, QObject& object)
+void retranslate(QObject& object)
 {
-    Retranslator one(book, object);
+    Retranslator one(object);
     if (object.isWidgetType() || qobject_cast<QAction*>(&object) != nullptr)
         one.texts();
     if (auto* action = qobject_cast<QAction*>(&object))
@@ -165,18 +168,30 @@ void retranslate(const Phrasebook& book, QObject& object)
 
 } // namespace
 
-void retranslate(const Phrasebook& before)
+QString noted(const QString& text, std::function<QString()> say)
+{
+    if (!text.isEmpty())
+        notes().add(text, std::move(say));
+    return text;
+}
+
+QString saidAnew(const QString& text)
+{
+    return notes().anew(text);
+}
+
+void retranslate()
 {
     for (QWidget* window : QApplication::topLevelWidgets()) {
         if (window->parent() != nullptr)
             continue; // comes with that
-        retranslate(before, *window);
+        retranslate(*window);
         QList<QPointer<QObject>> objects; // a new text may do away with some
         for (QObject* object : window->findChildren<QObject*>())
             objects << object;
         for (const QPointer<QObject>& object : objects)
             if (object != nullptr)
-                retranslate(before, *object);
+                retranslate(*object);
     }
 }
 

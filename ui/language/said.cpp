@@ -1,5 +1,7 @@
 #include "ui/language/said.h"
 
+#include "ui/language/retranslation.h"
+
 #include <QCoreApplication>
 
 #include <string>
@@ -7,7 +9,9 @@
 
 namespace knead {
 
-QString said(const Message& message)
+namespace {
+
+QString inWords(const Message& message)
 {
     const QString text = message.subject().empty()
                              ? QString::fromStdString(message.text())
@@ -17,8 +21,16 @@ QString said(const Message& message)
     std::vector<std::string> values;
     values.reserve(message.arguments().size());
     for (const Message& argument : message.arguments())
-        values.push_back(said(argument).toStdString());
+        values.push_back(inWords(argument).toStdString());
     return QString::fromStdString(withPlacesFilled(text.toStdString(), values));
+}
+
+} // namespace
+
+QString said(const Message& message)
+{
+    const QString text = inWords(message);
+    return message.arguments().empty() ? text : noted(text, [message] { return said(message); });
 }
 
 } // namespace knead

@@ -36,8 +36,10 @@ MaterialStore::MaterialStore(const Services& services, QObject* parent)
         m_kept = m_services.readOwnMaterials();
         m_all.insert(m_all.end(), m_kept.begin(), m_kept.end());
     } catch (const std::exception& error) {
-        m_damage = tr("Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.")
-                       .arg(said(messageOf(error)));
+        m_damage =
+            said(Message("MaterialStore",
+                         "Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.")
+                     .with(messageOf(error)));
     }
 }
 
@@ -79,7 +81,8 @@ QString MaterialStore::problemWith(const QString& name, std::optional<std::size_
         return tr("A material needs a name: type one.");
     const auto other = named(name);
     if (other && other != renamed)
-        return tr("There is a material named \"%1\" already: choose another name.").arg(name.trimmed());
+        return said(Message("MaterialStore", "There is a material named \"%1\" already: choose another name.")
+                        .with(name.trimmed().toStdString()));
     return {};
 }
 
@@ -121,22 +124,22 @@ void MaterialStore::write(std::function<void(Presets& own)> change)
     m_writing.run([this, change = std::move(change), write = m_services.writeOwnMaterials] {
         Presets own = m_kept;
         change(own);
-        QString problem;
+        Message problem;
         try {
             write(own);
             m_kept = own;
         } catch (const std::exception& error) {
-            problem = said(messageOf(error));
+            problem = messageOf(error);
         }
         QMetaObject::invokeMethod(
             this, [this, own, problem] { written(own, problem); }, Qt::QueuedConnection);
     });
 }
 
-void MaterialStore::written(const std::vector<MaterialPreset>& own, const QString& problem)
+void MaterialStore::written(const std::vector<MaterialPreset>& own, const Message& problem)
 {
-    if (!problem.isEmpty())
-        return emit failed(tr("The material was not saved: %1").arg(problem));
+    if (!problem.empty())
+        return emit failed(said(Message("MaterialStore", "The material was not saved: %1").with(problem)));
     m_all.resize(m_bundled);
     m_all.insert(m_all.end(), own.begin(), own.end());
     emit changed();

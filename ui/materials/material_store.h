@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/task/ordered_worker.h"
 #include "ui/services.h"
 
@@ -47,7 +48,7 @@ signals:
 private:
     using Presets = std::vector<MaterialPreset>;
     void write(std::function<void(Presets& own)> change);
-    void written(const std::vector<MaterialPreset>& own, const QString& problem);
+    void written(const std::vector<MaterialPreset>& own, const Message& problem);
 
     Services m_services;
     std::vector<MaterialPreset> m_all;

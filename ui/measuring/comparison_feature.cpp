@@ -27,7 +27,7 @@ ComparisonFeature::ComparisonFeature(const Workbench& bench, Measuring& measurin
           bench.window,
           {"compareWithOriginal", QT_TRANSLATE_NOOP("Measuring", "Compare with original..."), "compare-two", "Shift+M",
            QT_TRANSLATE_NOOP("Measuring",
-                             "Largest and mean distance, volume and mass beside the original, and a report (Shift+M)")},
+                             "Largest and mean distance, volume and mass beside the original, and a report")},
           "Measuring"))
 {
     bench.availability.needBodies({m_action});

@@ -3,6 +3,7 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/text_files.h"
+#include "ui/language/retranslation.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/viewport/view_grid.h"
@@ -38,7 +39,7 @@ void MeasuringFeature::forgetRefusals()
         m_bench.notices.problem(sentence);
     });
     connect(&m_measuring->list(), &MeasurementList::changed, this, [this, refused] {
-        if (m_measuring->tool().isPicking() && m_bench.notices.shown() == *refused) // what others said stays
+        if (m_measuring->tool().isPicking() && m_bench.notices.shown() == saidAnew(*refused)) // what others said stays
             m_bench.notices.hide();
     });
 }

@@ -1,10 +1,12 @@
 #include "ui/panels/history_panel.h"
 
 #include "ui/document/entry_names.h"
+#include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
 
 #include <QDateTime>
+#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -213,6 +215,16 @@ void HistoryPanel::showEvent(QShowEvent* event)
     m_soon->start();
 }
 
+void HistoryPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    for (Entry entry = 0; entry < m_items.size(); ++entry)
+        m_edited.insert(entry);
+    m_soon->start();
+}
+
 void HistoryPanel::bringUpToDate()
 {
     if (m_document.history().isEmpty())
@@ -288,7 +300,6 @@ QTreeWidgetItem* HistoryPanel::makeRow(Entry entry)
     row->setData(name, entryRole, entry);
     row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
     row->setIcon(name, icon(beginsStart && entry != 0 ? "refill" : iconOf(kindOf(record, beginsStart))));
-    row->setText(simulated, timeText(record.time));
     row->setText(made, clockTime(record.wallTime));
     for (const Column column : {simulated, made})
         row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -315,7 +326,8 @@ void HistoryPanel::showEntries()
 void HistoryPanel::showEntry(Entry entry)
 {
     const HistoryRecord& record = m_document.history().tree().record(entry);
-    m_items[entry]->setText(name, QString::fromStdString(record.name));
+    m_items[entry]->setText(name, said(record.label()));
+    m_items[entry]->setText(simulated, timeText(record.time));
     m_items[entry]->setIcon(mark, record.isKey ? icon("star-full") : QIcon());
 }
 
@@ -344,7 +356,7 @@ QVariant HistoryPanel::tipOf(Entry entry, int column) const
     const QString kept = record.moment ? tr("Kept, %1").arg(memoryText(record.moment->size()))
                                        : tr("Found again by repeating what leads to it");
     return tr("%1\nSimulated: %2, step %3\n%4")
-        .arg(QString::fromStdString(record.name), timeText(record.time), formatCount(record.step), kept);
+        .arg(said(record.label()), timeText(record.time), formatCount(record.step), kept);
 }
 
 void HistoryPanel::entryClicked(QTreeWidgetItem* item, int column)

@@ -1,5 +1,6 @@
 #include "ui/panels/home_page.h"
 
+#include "ui/language/retranslation.h"
 #include "ui/panels/picture_card.h"
 #include "ui/project/thumbnails.h"
 #include "ui/theme.h"
@@ -198,7 +199,13 @@ void HomePage::listCards()
 
 void HomePage::showWaiting(const QStringList& names)
 {
-    m_waitingNames->setText(names.join(", "));
+    const auto list = [names] {
+        QStringList now;
+        for (const QString& name : names)
+            now << saidAnew(name);
+        return now.join(", ");
+    };
+    m_waitingNames->setText(noted(list(), list));
     m_waiting->setVisible(!names.isEmpty());
 }
 

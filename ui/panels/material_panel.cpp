@@ -2,6 +2,7 @@
 
 #include "core/aggregate/spacing_choice.h"
 #include "core/session/material_facts.h"
+#include "ui/language/said.h"
 #include "ui/materials/material_store.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
@@ -98,7 +99,8 @@ void MaterialPanel::makeFactRows()
                   tr("Simulated by wall time on this machine: measured while time ran, else by a rule"));
     m_wallCells = add(
         "wallCells", tr("Cells across walls"),
-        tr("Across the thinnest wall: with fewer than %1 its bending comes out too stiff").arg(fewestCellsAcrossWall));
+        said(Message("MaterialPanel", "Across the thinnest wall: with fewer than %1 its bending comes out too stiff")
+                 .with(QString::number(fewestCellsAcrossWall).toStdString())));
 }
 
 void MaterialPanel::makeMaterialRows()
@@ -110,7 +112,7 @@ void MaterialPanel::makeMaterialRows()
             const MaterialField& row = fieldOf(value);
             QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
             field->setRange(row.minimum, row.maximum);
-            field->setTip(tr("%1 to %2, with any unit; 1.2e6 and 1,2 are taken too"));
+            field->setTip(Message("MaterialPanel", "%1 to %2, with any unit; 1.2e6 and 1,2 are taken too"));
             if (*row.zero != '\0')
                 field->setZeroText(tr(row.zero));
             connect(field, &QuantityField::committed, this, [this, value](double number) { commit(value, number); });
@@ -278,12 +280,14 @@ void MaterialPanel::commit(double Material::*value, double number)
 {
     m_material.*value = number;
     const MaterialField& field = fieldOf(value);
-    const QString shown =
-        number == 0 && *field.zero != '\0' ? tr(field.zero) : formatQuantity(number, quantityOfUnit(field.unit));
-    post(tr("%1 of %2 → %3").arg(tr(field.name), m_name->text(), shown));
+    const Message shown = number == 0 && *field.zero != '\0'
+                              ? Message("MaterialPanel", field.zero)
+                              : Message::verbatim(formatQuantity(number, quantityOfUnit(field.unit)).toStdString());
+    post(Message("MaterialPanel", "%1 of %2 → %3")
+             .with(Message("MaterialPanel", field.name), m_name->text().toStdString(), shown));
 }
 
-void MaterialPanel::post(const QString& what)
+void MaterialPanel::post(const Message& what)
 {
     m_isPosted = true;
     m_stepSeconds = 0;

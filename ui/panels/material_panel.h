@@ -59,7 +59,7 @@ private:
     void chooseFirmness(int notch);
     void chooseKind(int index);
     void commit(double Material::*value, double number);
-    void post(const QString& what);
+    void post(const Message& what);
     bool isLocked() const;
     void showWallCells(double cells);
     double cellsAcross(double spacing) const;

@@ -3,6 +3,7 @@
 
 #include "core/aggregate/firmness.h"
 #include "ui/document/table_kinds.h"
+#include "ui/language/said.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
 
@@ -68,7 +69,10 @@ void MaterialPanel::makeFirmnessRow()
 
 void MaterialPanel::showFirmnessReading(int notch)
 {
-    m_firmnessReading->setText(notch == 0 ? tr("as it is") : tr("%1 times").arg(factorOf(notch), 0, 'g', 2));
+    m_firmnessReading->setText(
+        notch == 0
+            ? tr("as it is")
+            : said(Message("MaterialPanel", "%1 times").with(QString::number(factorOf(notch), 'g', 2).toStdString())));
 }
 
 /// Of which material the present one is a softer or firmer kind: of the one that it was, of a preset, or of itself.
@@ -97,9 +101,9 @@ void MaterialPanel::chooseFirmness(int notch)
     m_material = wanted;
     for (const auto& [value, field] : m_fields)
         field->restore();
-    post(notch == 0  ? tr("Firmness of %1 as it was").arg(m_name->text())
-         : notch < 0 ? tr("%1 softer").arg(m_name->text())
-                     : tr("%1 firmer").arg(m_name->text()));
+    post(notch == 0  ? Message("MaterialPanel", "Firmness of %1 as it was").with(m_name->text().toStdString())
+         : notch < 0 ? Message("MaterialPanel", "%1 softer").with(m_name->text().toStdString())
+                     : Message("MaterialPanel", "%1 firmer").with(m_name->text().toStdString()));
 }
 
 } // namespace knead

@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/material_comparison_dialog.h"
 #include "ui/document/table_kinds.h"
+#include "ui/language/said.h"
 #include "ui/materials/material_store.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
@@ -113,7 +114,8 @@ void MaterialPanel::choosePreset(int index)
     for (const auto& [value, field] : m_fields)
         field->restore();
     m_document.beginGesture();
-    post(tr("Material of %1 → %2").arg(m_name->text(), materialName(preset)));
+    post(Message("MaterialPanel", "Material of %1 → %2")
+             .with(m_name->text().toStdString(), Message("MaterialName", preset.name)));
     if (isKneaded(m_material))
         layOnTable();
     m_document.endGesture();

@@ -2,6 +2,7 @@
 #include "ui/panels/model_tree.h"
 
 #include "ui/document/tool_kinds.h"
+#include "ui/language/said.h"
 #include "ui/theme.h"
 
 #include <QDateTime>
@@ -180,7 +181,7 @@ void ModelTree::dress(QTreeWidgetItem* item)
     if (isBody)
         item->setIcon(0, swatch(m_document.appearance().partColor(model, part)));
     if (isBody && !m_document.appearance().chosenName(part).empty())
-        item->setToolTip(0, tr("In the file: %1").arg(QString::fromStdString(model.parts[part].name)));
+        item->setToolTip(0, said(Message("ModelTree", "In the file: %1").with(model.parts[part].name)));
     else if (isBody)
         item->setToolTip(0, {});
 }
@@ -246,7 +247,7 @@ void ModelTree::listSets()
         std::size_t count = 0;
         for (const auto& [part, items] : set.items)
             count += items.size();
-        item->setToolTip(0, tr("%1 selected things; a click selects them again").arg(count));
+        item->setToolTip(0, said(Message("ModelTree", "%1 selected things; a click selects them again").with(count)));
         if (name == current)
             setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
     }

@@ -1,6 +1,7 @@
 // What the model tree offers for a line.
 #include "ui/panels/model_tree.h"
 
+#include "ui/language/said.h"
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
 
@@ -59,7 +60,8 @@ void ModelTree::fillExportMenu(QMenu& menu, const QString& file)
     const QString folder = QFileInfo(file).absolutePath();
     connect(menu.addAction(icon("open"), tr("Show in its folder")), &QAction::triggered, this, [this, folder] {
         if (!QFileInfo::exists(folder) || !QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-            emit problem(tr("The folder %1 cannot be shown: look for it with your file manager.").arg(folder));
+            emit problem(said(Message("ModelTree", "The folder %1 cannot be shown: look for it with your file manager.")
+                                  .with(folder.toStdString())));
     });
     connect(menu.addAction(icon("delete"), tr("Take off the list")), &QAction::triggered, this,
             [this, file] { m_document.notes().forgetExport(QFile::encodeName(file).toStdString()); });

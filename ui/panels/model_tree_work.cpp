@@ -1,6 +1,7 @@
 // What is done to the selected lines of the model tree.
 #include "ui/panels/model_tree.h"
 
+#include "ui/language/said.h"
 #include <QColorDialog>
 #include <QDropEvent>
 #include <QTimer>
@@ -77,7 +78,9 @@ void ModelTree::rename(QTreeWidgetItem* item, const QString& name)
     } else if (type == TreeItem::Set) {
         later([this, before, wanted] {
             if (!m_document.notes().renameSet(before.toStdString(), wanted.toStdString()) && !wanted.isEmpty())
-                emit problem(tr("There is a selection called \"%1\" already: choose another name.").arg(wanted));
+                emit problem(
+                    said(Message("ModelTree", "There is a selection called \"%1\" already: choose another name.")
+                             .with(wanted.toStdString())));
         });
     }
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/performance_panel.h"
 
+#include "ui/language/said.h"
 #include "ui/panels/status_readings.h"
 #include "ui/units.h"
 
@@ -57,15 +58,21 @@ const std::array<StageLook, stageCount + 1>& looks()
     return all;
 }
 
+std::string digits(double number, int decimals)
+{
+    return QString::number(number, 'f', decimals).toStdString();
+}
+
 QString milliseconds(double seconds)
 {
-    return PerformancePanel::tr("%1 ms").arg(1e3 * seconds, 0, 'f', 2);
+    return said(Message("PerformancePanel", "%1 ms").with(digits(1e3 * seconds, 2)));
 }
 
 QString perStep(double seconds)
 {
-    return seconds < 1e-3 ? PerformancePanel::tr("%1 µs/step").arg(1e6 * seconds, 0, 'f', seconds < 1e-5 ? 1 : 0)
-                          : PerformancePanel::tr("%1 ms/step").arg(1e3 * seconds, 0, 'f', 2);
+    return said(seconds < 1e-3
+                    ? Message("PerformancePanel", "%1 µs/step").with(digits(1e6 * seconds, seconds < 1e-5 ? 1 : 0))
+                    : Message("PerformancePanel", "%1 ms/step").with(digits(1e3 * seconds, 2)));
 }
 
 QLabel* dimmed(QWidget* parent)
@@ -195,17 +202,18 @@ void PerformancePanel::showStages(const Snapshot& snapshot)
     m_bar->show(m_smooth);
     const double stepping = std::accumulate(m_smooth.begin(), m_smooth.end() - 1, 0.0);
     const int steps = std::max(snapshot.stepsPerFrame, 1);
-    m_summary->setText((steps == 1 ? tr("%1, %2 step of %3 per frame") : tr("%1, %2 steps of %3 per frame"))
-                           .arg(ratioText(snapshot.ratio), formatCount(static_cast<std::size_t>(steps)),
-                                formatReading(snapshot.timeStep, Quantity::Time)));
+    m_summary->setText(
+        said((steps == 1 ? Message("PerformancePanel", "%1, %2 step of %3 per frame")
+                         : Message("PerformancePanel", "%1, %2 steps of %3 per frame"))
+                 .with(ratioWords(snapshot.ratio), formatCount(static_cast<std::size_t>(steps)).toStdString(),
+                       formatReading(snapshot.timeStep, Quantity::Time).toStdString())));
     if (snapshot.solverIterations > 0)
-        m_rates->setText(tr("%1 iterations of the solver in the last step, %2 objects")
-                             .arg(snapshot.solverIterations)
-                             .arg(formatCount(snapshot.objects)));
+        m_rates->setText(said(Message("PerformancePanel", "%1 iterations of the solver in the last step, %2 objects")
+                                  .with(snapshot.solverIterations, formatCount(snapshot.objects).toStdString())));
     else if (stepping > 0)
-        m_rates->setText(tr("%1 million connections per second, %2 objects")
-                             .arg(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0, 'f', 0)
-                             .arg(formatCount(snapshot.objects)));
+        m_rates->setText(said(Message("PerformancePanel", "%1 million connections per second, %2 objects")
+                                  .with(digits(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0),
+                                        formatCount(snapshot.objects).toStdString())));
     for (std::size_t stage = 0; stage < m_rows.size(); ++stage) {
         m_rows[stage].frame->setText(milliseconds(m_smooth[stage]));
         m_rows[stage].step->setText(stage < stageCount ? perStep(m_smooth[stage] / steps) : QString());

@@ -1,5 +1,7 @@
 #include "ui/panels/quantity_field.h"
 
+#include "ui/language/said.h"
+
 #include <QFocusEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -24,9 +26,10 @@ void QuantityField::setRange(double minimum, double maximum)
     m_maximum = maximum;
 }
 
-void QuantityField::setTip(const QString& tip)
+void QuantityField::setTip(const Message& tip)
 {
-    m_tip = tip.arg(formatQuantity(m_minimum, m_quantity), formatQuantity(m_maximum, m_quantity));
+    m_tip = said(tip.with(formatQuantity(m_minimum, m_quantity).toStdString(),
+                          formatQuantity(m_maximum, m_quantity).toStdString()));
     if (!hasProblem())
         setToolTip(m_tip);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "ui/units.h"
 
 #include <QLineEdit>
@@ -18,7 +19,7 @@ public:
 
     void setRange(double minimum, double maximum); ///< SI, both ends allowed
     /// A tool tip for as long as there is no problem. @param tip in it %1 and %2 are the ends of the range
-    void setTip(const QString& tip);
+    void setTip(const Message& tip);
     /// What 0 means, in words: shown in its place. An emptied field then is 0.
     void setZeroText(const QString& text);
     double value() const { return m_value; } ///< SI

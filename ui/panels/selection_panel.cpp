@@ -220,10 +220,10 @@ void SelectionPanel::choosePreset(int index)
     m_material = preset.material;
     for (const auto& [value, field] : m_fields)
         field->setValue(m_material.*value);
-    postMaterial(QString::fromStdString(preset.name));
+    postMaterial(Message("MaterialName", preset.name));
 }
 
-void SelectionPanel::postMaterial(const QString& name)
+void SelectionPanel::postMaterial(const Message& name)
 {
     m_document.setMaterialOf(m_document.selected().region(), m_material, name);
 }

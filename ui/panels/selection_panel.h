@@ -46,7 +46,7 @@ private:
     void showRegion();
     void showSize();
     void choosePreset(int index);
-    void postMaterial(const QString& name);
+    void postMaterial(const Message& name);
     void keep();
 
     Document& m_document;

@@ -37,8 +37,9 @@ QString speedText(double speed)
 {
     if (speed == 1)
         return SimulationPanel::tr("Real time");
-    return speed < 1 ? SimulationPanel::tr("1/%1 of real time").arg(1 / speed)
-                     : SimulationPanel::tr("%1 times real time").arg(speed);
+    return speed < 1
+               ? said(Message("SimulationPanel", "1/%1 of real time").with(QString::number(1 / speed).toStdString()))
+               : said(Message("SimulationPanel", "%1 times real time").with(QString::number(speed).toStdString()));
 }
 
 /// What all materials have; none where they differ.
@@ -100,7 +101,7 @@ void SimulationPanel::makeGravityRows(QFormLayout* form)
         m_gravity[axis] = makeField(Quantity::Acceleration, QStringLiteral("gravity%1").arg(axes[axis]), this);
         m_gravity[axis]->setRange(-largestGravity, largestGravity);
         connect(m_gravity[axis], &QuantityField::committed, this, &SimulationPanel::commitGravity);
-        form->addRow(tr("Along %1").arg(axes[axis]), m_gravity[axis]);
+        form->addRow(said(Message("SimulationPanel", "Along %1").with(axes[axis])), m_gravity[axis]);
     }
 }
 
@@ -138,10 +139,9 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
         const MaterialField& field = fieldOf(value);
         QuantityField* edit = makeField(quantityOfUnit(field.unit), name, this);
         edit->setRange(field.minimum, field.maximum);
-        const QString label = QCoreApplication::translate("MaterialPanel", field.name);
         connect(edit, &QuantityField::committed, this,
-                [this, value, label](double number) { commitDamping(value, number, label); });
-        form->addRow(label, edit);
+                [this, value, label = field.name](double number) { commitDamping(value, number, label); });
+        form->addRow(QCoreApplication::translate("MaterialPanel", field.name), edit);
         return edit;
     };
     m_damping = add(&Material::dampingRatio, "allDampingRatio");
@@ -173,7 +173,7 @@ void SimulationPanel::makeThreadRow(QFormLayout* form)
 {
     const int most = std::max(1, QThread::idealThreadCount());
     m_threads = makeChoice("threads", this);
-    m_threads->addItem(tr("All %1").arg(most));
+    m_threads->addItem(said(Message("SimulationPanel", "All %1").with(most)));
     for (int threads = 1; threads < most; ++threads)
         m_threads->addItem(QString::number(threads));
     m_threads->setToolTip(tr("How many threads compute; the results are the same bits with any number"));
@@ -300,7 +300,7 @@ void SimulationPanel::commitGravity()
 }
 
 /// One entry of the history, however many bodies there are.
-void SimulationPanel::commitDamping(double Material::*value, double number, const QString& name)
+void SimulationPanel::commitDamping(double Material::*value, double number, const char* name)
 {
     if (m_document.hasSeen(m_dampingRequest))
         m_damped = m_document.frame()->snapshot->materials;
@@ -309,7 +309,8 @@ void SimulationPanel::commitDamping(double Material::*value, double number, cons
     for (BodyId body = 0; body < m_damped.size(); ++body) {
         Material& material = m_damped[body];
         material.*value = number;
-        m_document.post(SetMaterial{body, material}, tr("%1 of all bodies").arg(name));
+        m_document.post(SetMaterial{body, material},
+                        Message("SimulationPanel", "%1 of all bodies").with(Message("MaterialPanel", name)));
         isRefused = isRefused || m_document.isLocked({Selection::Kind::Body, body});
     }
     m_dampingRequest = m_document.requests();

@@ -57,7 +57,7 @@ private:
     void chooseTable(int index);
     void commitTable(double friction, double adhesion);
     void commitGravity();
-    void commitDamping(double Material::*value, double number, const QString& name);
+    void commitDamping(double Material::*value, double number, const char* name);
 
     Document& m_document;
     Vec3 m_wantedGravity = {0, 0, -9.81};

@@ -1,5 +1,6 @@
 #include "ui/panels/status_readings.h"
 
+#include "ui/language/retranslation.h"
 #include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
@@ -20,9 +21,14 @@ constexpr double realTime = 0.95; // from here on the ratio counts as real time
 
 } // namespace
 
+Message ratioWords(double ratio)
+{
+    return Message("QObject", "%1x real time").with(QString::number(ratio, 'f', ratio < 0.1 ? 3 : 2).toStdString());
+}
+
 QString ratioText(double ratio)
 {
-    return QObject::tr("%1x real time").arg(ratio, 0, 'f', ratio < 0.1 ? 3 : 2);
+    return said(ratioWords(ratio));
 }
 
 StatusReadings::StatusReadings(QWidget* parent)
@@ -188,6 +194,7 @@ void TaskReading::begin(const QString& title)
 
 void TaskReading::progress(double fraction, const QString& stage)
 {
+    m_title = saidAnew(m_title);
     m_stage->setText(stage.isEmpty() ? m_title : m_title + ": " + stage);
     m_bar->setValue(static_cast<int>(fraction * m_bar->maximum()));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/simulation/snapshot.h"
 
 #include <QWidget>
@@ -69,6 +70,7 @@ private:
 };
 
 /// "1.00x real time", "0.40x real time": the number says whether that is slower.
+Message ratioWords(double ratio);
 QString ratioText(double ratio);
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "ui/commands/availability.h"
 #include "ui/document/entry_names.h"
+#include "ui/language/said.h"
 #include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 #include "ui/panels/timeline_axis.h"
@@ -39,10 +40,7 @@ TimelinePanel::TimelinePanel(Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_axis(new TimelineAxis(
-          [&document](History::Entry entry) {
-              return QString::fromStdString(document.history().tree().record(entry).name);
-          },
-          this))
+          [&document](History::Entry entry) { return said(document.history().tree().record(entry).label()); }, this))
     , m_soon(new QTimer(this))
     , m_player(new QTimer(this))
     , m_clock(std::make_unique<QElapsedTimer>())
@@ -75,7 +73,7 @@ void TimelinePanel::makeButtons()
     m_toEnd = makeButton("filmEnd", "to-end", tr("Look at the end"), tr("Look at the end"));
     m_rate = makeChoice("filmRate", this);
     for (const double rate : rates)
-        m_rate->addItem(tr("%1x").arg(rate));
+        m_rate->addItem(said(Message("TimelinePanel", "%1x").with(QString::number(rate).toStdString())));
     m_rate->setCurrentIndex(usualRate);
     m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
     m_rate->setFocusPolicy(Qt::ClickFocus);

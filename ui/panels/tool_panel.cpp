@@ -1,12 +1,13 @@
 #include "ui/panels/tool_panel.h"
 
 #include "ui/document/tool_kinds.h"
+#include "ui/language/said.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
-#include <QCoreApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardItemModel>
@@ -61,7 +62,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
         m_position[axis] = makeField(Quantity::Length, QStringLiteral("toolPosition%1").arg(axisNames[axis]), this);
         connect(m_position[axis], &QuantityField::committed, this,
                 [this, axis](double place) { m_document.placeTool(m_tool, static_cast<int>(axis), place); });
-        form->addRow(tr("Position %1").arg(axisNames[axis]), m_position[axis]);
+        form->addRow(said(Message("ToolPanel", "Position %1").with(axisNames[axis])), m_position[axis]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_size[axis] = makeField(Quantity::Length, QStringLiteral("toolSize%1").arg(axisNames[axis]), this);
@@ -70,7 +71,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
             m_document.reshapeTool(m_tool,
                                    [=](ToolState& tool) { tool.size[static_cast<Eigen::Index>(axis)] = length; });
         });
-        form->addRow(tr("Size %1").arg(axisNames[axis]), m_size[axis]);
+        form->addRow(said(Message("ToolPanel", "Size %1").with(axisNames[axis])), m_size[axis]);
     }
     m_speed->setRange(1e-6, 100);
     m_speed->setStatusTip(tr("Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster"));

@@ -3,6 +3,7 @@
 #include "ui/commands/shortcuts.h"
 #include "ui/commands/shortcuts_page.h"
 #include "ui/language/language.h"
+#include "ui/language/said.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
@@ -140,7 +141,7 @@ void PreferencesDialog::addMemoryPage()
     addNote(form, tr("After a crash, no more than this and two seconds are lost."));
     QSpinBox* threads =
         addNumber(form, tr("Threads"), "preferenceThreads", {}, 0, mostThreads(), &Preferences::threads);
-    threads->setSpecialValueText(tr("All (%1)").arg(mostThreads()));
+    threads->setSpecialValueText(said(Message("PreferencesDialog", "All (%1)").with(mostThreads())));
     addNote(form, tr("That compute. The results are the same for any number."));
 }
 

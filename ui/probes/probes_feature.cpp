@@ -37,7 +37,7 @@ QAction* ProbesFeature::newPlaceAction(Measuring& measuring)
     auto* place = new QAction(icon("probe"), tr("Place probe"), &m_bench.window);
     place->setObjectName("placeProbe");
     place->setShortcut(QKeySequence(Qt::Key_P));
-    place->setToolTip(tr("Click places of the part to plot what happens there over time (P)"));
+    place->setToolTip(tr("Click places of the part to plot what happens there over time"));
     m_bench.window.addAction(place);
     measuring.addPickAction(place, {PickWhat::place},
                             [this](const std::vector<SkinPlace>& places) { m_probes->add(places.front()); });

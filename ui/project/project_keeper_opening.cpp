@@ -26,9 +26,11 @@ namespace {
 QString titleOf(const ProjectRequest& request)
 {
     if (request.recovery)
-        return ProjectKeeper::tr("Recovering %1").arg(RecoveryDialog::nameOf(*request.recovery));
+        return said(
+            Message("ProjectKeeper", "Recovering %1").with(RecoveryDialog::nameOf(*request.recovery).toStdString()));
     const QString name = QFileInfo(QFile::decodeName(request.path.c_str())).fileName();
-    return request.rescues ? ProjectKeeper::tr("Rescuing %1").arg(name) : ProjectKeeper::tr("Opening %1").arg(name);
+    return request.rescues ? said(Message("ProjectKeeper", "Rescuing %1").with(name.toStdString()))
+                           : said(Message("ProjectKeeper", "Opening %1").with(name.toStdString()));
 }
 
 /// The program may go on in another folder, and so may the next one that recovers the work.
@@ -59,8 +61,9 @@ void ProjectKeeper::open(const ProjectRequest& request)
     if (m_window.tasks.run<ReadProject>(titleOf(request), work, finish))
         emit opening();
     else
-        emit problem(tr("%1 is still going on: wait for it, or cancel it with Esc.").arg(m_window.tasks.title()), {},
-                     {});
+        emit problem(said(Message("ProjectKeeper", "%1 is still going on: wait for it, or cancel it with Esc.")
+                              .with(m_window.tasks.title().toStdString())),
+                     {}, {});
 }
 
 void ProjectKeeper::offerRemedy(const ProjectRequest& request, const ReadProject& read)

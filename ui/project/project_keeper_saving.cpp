@@ -87,8 +87,9 @@ void ProjectKeeper::saveUnder(const QString& path, const std::function<void()>& 
 {
     const QString whole = isProject(path) ? path : path + '.' + QString::fromStdString(m_services.ending);
     if (whole != path && QFileInfo::exists(whole))
-        emit problem(tr("%1 is there already: choose another name, or choose that file.").arg(whole), tr("Save as..."),
-                     [this, then] { saveAs(then); });
+        emit problem(said(Message("ProjectKeeper", "%1 is there already: choose another name, or choose that file.")
+                              .with(whole.toStdString())),
+                     tr("Save as..."), [this, then] { saveAs(then); });
     else
         saveTo(whole, then);
 }
@@ -108,7 +109,8 @@ void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
     }
     if (m_window.tasks.isRunning()) {
         emit problem(
-            tr("%1 is still going on: wait for it, or cancel it with Esc, and save again.").arg(m_window.tasks.title()),
+            said(Message("ProjectKeeper", "%1 is still going on: wait for it, or cancel it with Esc, and save again.")
+                     .with(m_window.tasks.title().toStdString())),
             {}, {});
         return;
     }
@@ -152,7 +154,8 @@ void ProjectKeeper::startSaving()
         }
         return done;
     };
-    const QString title = tr("Saving %1").arg(QFileInfo(file.path).fileName());
+    const QString title =
+        said(Message("ProjectKeeper", "Saving %1").with(QFileInfo(file.path).fileName().toStdString()));
     m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); });
 }
 

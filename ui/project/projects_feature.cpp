@@ -4,6 +4,7 @@
 #include "ui/commands/availability.h"
 #include "ui/commands/make_action.h"
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/model_tree.h"
 #include "ui/project/project_keeper.h"
@@ -129,7 +130,9 @@ void ProjectsFeature::openRecent(const QString& path)
     }
     recent_files::remove(path);
     listRecent();
-    m_bench.notices.problem(tr("%1 is not there any more. It may have been moved: look for it with Ctrl+O.").arg(path));
+    m_bench.notices.problem(
+        said(Message("ProjectsFeature", "%1 is not there any more. It may have been moved: look for it with Ctrl+O.")
+                 .with(path.toStdString())));
 }
 
 bool ProjectsFeature::opened(const QStringList& paths)

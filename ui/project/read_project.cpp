@@ -2,8 +2,6 @@
 
 #include "core/document/mended_project.h"
 
-#include <QCoreApplication>
-
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -14,10 +12,6 @@ namespace {
 
 constexpr double readingShare = 0.4; // of the progress bar
 constexpr double mendingShare = 0.6;
-
-struct ReadWords {
-    Q_DECLARE_TR_FUNCTIONS(ReadProject)
-};
 
 /// What was read, before anything of it is shown.
 struct Raw {
@@ -62,9 +56,9 @@ std::string nameOf(const std::string& path)
     return std::filesystem::path(path).filename().string();
 }
 
-Message about(const std::string& path, const QString& sentence)
+Message about(const std::string& path, const Message& sentence)
 {
-    return Message::verbatim(sentence.arg(QString::fromStdString(nameOf(path))).toStdString());
+    return sentence.with(nameOf(path));
 }
 
 /// The file of recovered work may have been written since, or be another window's by now: then the work has none.
@@ -75,8 +69,9 @@ void takeFileOf(const WorkState& state, const ProjectRequest& request, const Pro
         return;
     if (state.isFileReplaced) {
         result.sentence =
-            about(state.projectFile, ReadWords::tr("%1 was written after this work was cut off, and stays as it is: "
-                                                   "save the work under a name of its own, or in place of that file."));
+            about(state.projectFile,
+                  Message("ReadProject", "%1 was written after this work was cut off, and stays as it is: "
+                                         "save the work under a name of its own, or in place of that file."));
         return;
     }
     try {
@@ -92,8 +87,9 @@ void letGoOfFile(ReadProject& result)
 {
     if (result.path.empty())
         return;
-    result.sentence = about(result.path, ReadWords::tr("%1 stays as it is, since the recovered work is not whole: save "
-                                                       "the work under a name of its own, or in place of that file."));
+    result.sentence =
+        about(result.path, Message("ReadProject", "%1 stays as it is, since the recovered work is not whole: save "
+                                                  "the work under a name of its own, or in place of that file."));
     result.path.clear();
     result.lock.reset();
 }
@@ -122,10 +118,8 @@ Project mended(Raw raw, const Packing& packing, ReadProject& result, TaskControl
 void prepare(Project project, const Packing& packing, ReadProject& result, TaskControl& control)
 {
     if (project.model == nullptr)
-        throw std::runtime_error(
-            ReadWords::tr("The parts of this project are lost, so that nothing of it can be shown. "
-                          "Open the part that it was made from.")
-                .toStdString());
+        throw Problem(Message("ReadProject", "The parts of this project are lost, so that nothing of it can be shown. "
+                                             "Open the part that it was made from."));
     result.view = project.view;
     result.marks = project.marks;
     result.panels = project.panels;

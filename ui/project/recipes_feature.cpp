@@ -53,7 +53,7 @@ void RecipesFeature::open(const QString& path)
         return;
     m_bench.notices.hide();
     const QString name = QFileInfo(path).fileName();
-    const QString title = tr("Opening %1").arg(name);
+    const QString title = said(Message("RecipesFeature", "Opening %1").with(name.toStdString()));
     const auto work = [services = m_bench.services.recipes, path, title](TaskControl& control) {
         constexpr double readShare = 0.7; // of the progress
         TaskPortion reading(control, 0, readShare);
@@ -62,7 +62,7 @@ void RecipesFeature::open(const QString& path)
         return prepareRecipe(std::move(recipe), preparing);
     };
     const auto finish = [this, path, name](PreparedModel prepared) {
-        prepared.name = tr("Open %1").arg(name).toStdString();
+        prepared.name = Message("RecipesFeature", "Open %1").with(name.toStdString());
         m_projects.keeper().open(std::move(prepared));
         m_projects.addRecent(path);
         m_bench.notices.note(tr("Play carries out %1; what is done by hand comes on top of it.").arg(name));
@@ -103,7 +103,8 @@ void RecipesFeature::write(const QString& path)
         for (const Message& remark : remarks)
             m_bench.notices.warn(said(remark));
     };
-    const QString title = tr("Exporting %1").arg(QFileInfo(path).fileName());
+    const QString title =
+        said(Message("RecipesFeature", "Exporting %1").with(QFileInfo(path).fileName().toStdString()));
     if (!m_bench.tasks.run<std::vector<Message>>(title, work, finish))
         m_bench.isBusy(); // says with what
 }

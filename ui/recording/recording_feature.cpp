@@ -98,10 +98,12 @@ void RecordingFeature::record(const QString& path, const Recording& recording)
         return recording.pictures();
     };
     const QString name = QFileInfo(path).fileName();
-    m_bench.tasks.run<std::size_t>(tr("Recording %1").arg(name), work, [this, name](std::size_t pictures) {
-        m_bench.notices.note(pictures == 1 ? tr("%1: 1 picture recorded.").arg(name)
-                                           : tr("%1: %2 pictures recorded.").arg(name, formatCount(pictures)));
-    });
+    m_bench.tasks.run<std::size_t>(
+        said(Message("RecordingFeature", "Recording %1").with(name.toStdString())), work,
+        [this, name](std::size_t pictures) {
+            m_bench.notices.note(pictures == 1 ? tr("%1: 1 picture recorded.").arg(name)
+                                               : tr("%1: %2 pictures recorded.").arg(name, formatCount(pictures)));
+        });
 }
 
 } // namespace knead

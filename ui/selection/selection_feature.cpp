@@ -6,6 +6,7 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/interaction/hands_feature.h"
+#include "ui/language/said.h"
 #include "ui/modes.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
@@ -304,7 +305,9 @@ void SelectionFeature::selectWithin(double distance)
         return objectsWithin(region, distance, bodies, *frame);
     };
     m_bench.tasks.run<Region>(
-        tr("Selecting within %1").arg(formatQuantity(distance, Quantity::Length)), work,
+        said(Message("SelectionFeature", "Selecting within %1")
+                 .with(formatQuantity(distance, Quantity::Length).toStdString())),
+        work,
         [this, model = m_bench.document.content().model, spacing = m_bench.document.content().spacing](Region found) {
             const FilledModel& now = m_bench.document.content();
             if (now.model != model || now.spacing != spacing) // it is of another filling

@@ -5,6 +5,7 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/importing/import_feature.h"
+#include "ui/language/retranslation.h"
 #include "ui/language/said.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
@@ -40,7 +41,7 @@ void slowToolsDown(Document& document)
     for (const ToolState& tool : document.frame()->snapshot->tools)
         document.post(ReshapeManipulator{tool.id, tool.size, tool.friction, slower * tool.speedLimit, tool.forceLimit,
                                          tool.kind, tool.part, tool.adhesion, tool.rollsFreely},
-                      SimulationFeature::tr("Slower tools"));
+                      Message("SimulationFeature", "Slower tools"));
     document.endGesture();
     document.reset();
 }
@@ -52,7 +53,7 @@ void dampMore(Document& document)
     for (BodyId body = 0; body < materials.size(); ++body) {
         Material material = materials[body];
         material.dampingRatio = std::clamp(2 * material.dampingRatio, leastDamping, largestDamping);
-        document.post(SetMaterial{body, material}, SimulationFeature::tr("More damping"));
+        document.post(SetMaterial{body, material}, Message("SimulationFeature", "More damping"));
     }
     document.endGesture();
     document.reset();
@@ -183,7 +184,7 @@ void SimulationFeature::showNotice(const Message& notice)
 /// Too few cells across them, with a filling that has enough.
 void SimulationFeature::showWalls(const SpacingAssessment& fineness)
 {
-    const bool isSaid = !m_shownWalls.isEmpty() && m_bench.notices.shown() == m_shownWalls;
+    const bool isSaid = !m_shownWalls.isEmpty() && m_bench.notices.shown() == saidAnew(m_shownWalls);
     const bool isFine = fineness.warning.empty() || m_bench.document.content().bodies.empty();
     m_shownWalls = isFine ? QString() : said(fineness.warning);
     if (isFine && isSaid)
@@ -196,7 +197,7 @@ void SimulationFeature::showWalls(const SpacingAssessment& fineness)
 
 void SimulationFeature::showBalance(const QString& sentence)
 {
-    if (!m_shownImbalance.isEmpty() && m_bench.notices.shown() == m_shownImbalance)
+    if (!m_shownImbalance.isEmpty() && m_bench.notices.shown() == saidAnew(m_shownImbalance))
         m_bench.notices.hide(); // what it says is no longer so
     m_bench.notices.note(sentence);
     m_bench.window.statusBar()->showMessage(sentence, outcomeTime);

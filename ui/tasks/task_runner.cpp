@@ -3,6 +3,7 @@
 #include "core/message/message.h"
 #include "ui/language/said.h"
 
+#include <QCoreApplication>
 #include <QTimer>
 
 #include <atomic>
@@ -50,10 +51,9 @@ struct TaskRunner::Task final : TaskControl {
             const std::lock_guard lock(mutex);
             wasCancelled = true;
         } catch (const std::bad_alloc&) {
-            fail(Message::verbatim(
-                TaskRunner::tr("%1: there is not enough memory. Close other programs, or choose a larger spacing.")
-                    .arg(title)
-                    .toStdString()));
+            fail(Message("TaskRunner",
+                         "%1: there is not enough memory. Close other programs, or choose a larger spacing.")
+                     .with(title.toStdString()));
         } catch (const std::exception& error) {
             fail(messageOf(error));
         }
@@ -142,9 +142,9 @@ void TaskRunner::poll()
     if (!task->done) {
         std::unique_lock lock(task->mutex);
         const double fraction = task->fraction;
-        const QString stage = QString::fromStdString(task->stage);
+        const std::string stage = task->stage;
         lock.unlock();
-        emit progressed(fraction, stage);
+        emit progressed(fraction, stage.empty() ? QString() : QCoreApplication::translate("Stage", stage.c_str()));
         return;
     }
     end();

@@ -1,8 +1,7 @@
 #include "ui/viewport/color_scale.h"
 
+#include "ui/language/said.h"
 #include "ui/round_number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -41,9 +40,14 @@ double roundedUp(double value)
     return roundUp(value, {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}, 1e-6);
 }
 
+Message termOf(SurfaceQuantity quantity)
+{
+    return {"ColorScale", lookOf(quantity).name};
+}
+
 QString nameOf(SurfaceQuantity quantity)
 {
-    return QCoreApplication::translate("ColorScale", lookOf(quantity).name);
+    return said(termOf(quantity));
 }
 
 Quantity unitKindOf(SurfaceQuantity quantity)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/session/surface_fields.h"
 #include "ui/units.h"
 #include "ui/viewport/color_map.h"
@@ -45,7 +46,8 @@ ColorScale colorScale(const SurfaceFields& fields, const ColorOptions& options,
 /// The next number of two digits above that is easy to read, 0 for 0. @param value not negative
 double roundedUp(double value);
 
-QString nameOf(SurfaceQuantity quantity); ///< "Von Mises stress"
+Message termOf(SurfaceQuantity quantity); ///< "Von Mises stress"
+QString nameOf(SurfaceQuantity quantity); ///< the same, said
 Quantity unitKindOf(SurfaceQuantity quantity);
 bool hasSign(SurfaceQuantity quantity);
 
