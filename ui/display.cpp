@@ -1,7 +1,7 @@
 #include "ui/display.h"
 
-#include "ui/actions.h"
-#include "ui/document/document.h"
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/viewport/surface_field_overlay.h"
@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 
@@ -36,46 +37,46 @@ int numberOf(const std::optional<SurfaceQuantity>& quantity)
 
 } // namespace
 
-Display::Display(const Document& document, ViewportWidget& view, const Actions& actions, QWidget* window)
-    : QObject(window)
-    , m_document(document)
-    , m_view(view)
-    , m_window(window)
+Display::Display(const Workbench& bench)
+    : QObject(&bench.window)
+    , m_bench(bench)
 {
     setObjectName("display");
-    makeActions(actions);
+    makeActions();
+    makeEdges();
+    connectActions();
     makeColors();
     makeMaps();
     makeCuts();
-    makeMenu(actions);
-    contentChanged();
-    connect(&view, &ViewportWidget::optionsChanged, this, &Display::follow);
-    connect(&document, &Document::changed, this, [this](Document::Change what) {
+    makeMenu();
+    sayWhyNot();
+    follow();
+    connect(&bench.viewport, &ViewportWidget::optionsChanged, this, &Display::follow);
+    connect(&bench.document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Model)
-            contentChanged();
+            follow();
     });
 }
 
 QAction* Display::make(const char* name, const QString& text, const char* picture, const QString& keys,
                        const QString& tip)
 {
-    auto* action = new QAction(text, m_window);
+    auto* action = new QAction(text, &m_bench.window);
     action->setObjectName(name);
     action->setCheckable(true);
     if (picture != nullptr)
         action->setIcon(icon(picture));
     action->setShortcut(QKeySequence(keys));
     action->setToolTip(tip);
-    m_window->addAction(action);
+    m_bench.window.addAction(action);
     return action;
 }
 
-void Display::makeActions(const Actions& actions)
+void Display::makeActions()
 {
     m_skin = make("skin", tr("Skin"), "skin", "Shift+K",
                   tr("Show the surface of the part; as through glass when what is inside is shown too"));
     m_skin->setChecked(true);
-    m_objects = actions.objects;
     m_connections = make("connections", tr("Connections"), "connections", "Shift+C",
                          tr("Show the connections between objects as lines"));
     m_original = make("original", tr("Original shape"), "original", "Shift+R",
@@ -86,8 +87,26 @@ void Display::makeActions(const Actions& actions)
     m_flip = make("flipSection", tr("Flip section"), nullptr, "Ctrl+Shift+X", tr("Cut off the other side"));
     m_compare = make("compare", tr("Before and after"), "compare", "Shift+V",
                      tr("Divide the view: the original on the left, the part as it is on the right"));
-    m_shown = {m_skin,   m_objects,     actions.allObjects, m_connections, m_original,
-               m_breaks, actions.edges, actions.openEdges,  actions.grid};
+}
+
+void Display::makeEdges()
+{
+    QMainWindow& window = m_bench.window;
+    m_objects = makeSwitch(window, {"objects", QT_TRANSLATE_NOOP("Actions", "Objects"), "objects", "O",
+                                    QT_TRANSLATE_NOOP("Actions", "Show the objects the material is made of")});
+    m_allObjects =
+        makeSwitch(window, {"allObjects", QT_TRANSLATE_NOOP("Actions", "Inner objects too"), nullptr, "Shift+O"});
+    m_edges = makeSwitch(window, {"edges", QT_TRANSLATE_NOOP("Actions", "Edges"), nullptr, "E"}, true);
+    m_openEdges = makeSwitch(window,
+                             {"openEdges", QT_TRANSLATE_NOOP("Actions", "Open edges"), nullptr, "",
+                              QT_TRANSLATE_NOOP("Actions", "Show where surfaces that are not closed end")},
+                             true);
+    m_grid = makeSwitch(window, {"grid", QT_TRANSLATE_NOOP("Actions", "Grid")}, true);
+}
+
+void Display::connectActions()
+{
+    m_shown = {m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_edges, m_openEdges, m_grid};
     for (QAction* action : m_shown)
         connect(action, &QAction::toggled, this, &Display::apply);
     for (QAction* action : {m_objects, m_connections})
@@ -146,7 +165,6 @@ void Display::makeMaps()
     m_automatic =
         make("automaticRange", tr("Range as needed"), nullptr, {}, tr("The colors reach as far as the numbers do"));
     connect(m_automatic, &QAction::toggled, this, &Display::switchAutomatic);
-    m_automatic->setProperty("whyDisabled", tr("Color the skin by a quantity first."));
 }
 
 void Display::makeCuts()
@@ -162,14 +180,35 @@ void Display::makeCuts()
     connect(m_hatched, &QAction::toggled, this, &Display::setHatched);
 }
 
-void Display::makeMenu(const Actions& actions)
+void Display::sayWhyNot()
 {
-    m_menu = new QMenu(tr("Display"), m_window);
+    Availability& when = m_bench.availability;
+    when.needPart({m_edges, m_openEdges, m_grid});
+    when.needBodies(QList{m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_section, m_flip,
+                          m_compare, m_hatched} +
+                    m_colors->actions() + m_axes->actions());
+    const auto needQuantity = [this]() -> std::optional<QString> {
+        if (view().options().colors.quantity)
+            return {};
+        return tr("Color the skin by a quantity first.");
+    };
+    when.add({m_automatic}, needQuantity);
+    when.add(m_maps->actions(), [this, needQuantity]() -> std::optional<QString> {
+        const std::optional<SurfaceQuantity> quantity = view().options().colors.quantity;
+        if (quantity && hasSign(*quantity))
+            return tr("This quantity has colors of its own, since it has two signs.");
+        return needQuantity();
+    });
+}
+
+void Display::makeMenu()
+{
+    m_menu = new QMenu(tr("Display"), &m_bench.window);
     m_menu->setObjectName("displayMenu");
     m_menu->setIcon(icon("display"));
     m_menu->setToolTipsVisible(true);
     m_menu->menuAction()->setToolTip(tr("What is shown of the material, and how"));
-    m_menu->addActions({m_skin, actions.objects, actions.allObjects, m_connections, m_original, m_breaks});
+    m_menu->addActions({m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks});
     m_menu->addSeparator();
     QMenu* colors = m_menu->addMenu(icon("colors"), tr("Colors"));
     colors->setObjectName("colorsMenu");
@@ -193,7 +232,7 @@ void Display::restore()
     for (const auto& [action, isOn] : states)
         action->setChecked(isOn);
     m_skin->setChecked(states.front().second); // what is inside may have switched it
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     const QString quantity = settings.value("display/quantity").toString();
     for (std::size_t i = 0; i < surfaceQuantityCount; ++i)
         if (quantity == quantityNames[i])
@@ -202,7 +241,7 @@ void Display::restore()
         if (settings.value("display/map", 0).toInt() == static_cast<int>(choice.map))
             options.colors.map = choice.map;
     options.section.isHatched = settings.value("display/hatched", true).toBool();
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 /// What is inside is worth nothing behind an opaque skin: the skin goes with it, and may be called back as glass.
@@ -225,50 +264,55 @@ void Display::apply()
     for (const QAction* action : m_shown)
         if (!m_lendsObjects || (action != m_objects && action != m_skin))
             settings.setValue(settingOf(action), action->isChecked());
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     options.skin = m_skin->isChecked();
     options.connections = m_connections->isChecked();
     options.original = m_original->isChecked();
     options.breaks = m_breaks->isChecked();
-    m_view.setOptions(options);
+    options.edges = m_edges->isChecked();
+    options.openEdges = m_openEdges->isChecked();
+    options.grid = m_grid->isChecked();
+    const ObjectDisplay which = m_allObjects->isChecked() ? ObjectDisplay::All : ObjectDisplay::Surface;
+    options.objects = m_objects->isChecked() ? which : ObjectDisplay::Off;
+    m_bench.viewport.setOptions(options);
 }
 
 void Display::setQuantity(std::optional<SurfaceQuantity> quantity)
 {
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     if (options.colors.quantity != quantity)
         options.colors.range.reset(); // it was of another quantity
     options.colors.quantity = quantity;
     QSettings().setValue("display/quantity", quantity ? quantityNames[static_cast<std::size_t>(*quantity)] : "");
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 void Display::setMap(ColorMap map)
 {
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     options.colors.map = map;
     QSettings().setValue("display/map", static_cast<int>(map));
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 void Display::setRange(const std::optional<std::pair<double, double>>& range)
 {
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     options.colors.range = range;
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 std::pair<double, double> Display::sectionReach() const
 {
-    return reachAlong(m_plane.direction, m_view.materialBox());
+    return reachAlong(m_plane.direction, m_bench.viewport.materialBox());
 }
 
 void Display::setSectionAxis(Section::Axis axis)
 {
     m_plane.axis = axis;
-    m_plane.direction =
-        axis == Section::Axis::eye ? m_view.camera().towardsEye() : Vec3(Vec3::Unit(static_cast<Eigen::Index>(axis)));
-    m_placedIn = m_document.content().box;
+    m_plane.direction = axis == Section::Axis::eye ? m_bench.viewport.camera().towardsEye()
+                                                   : Vec3(Vec3::Unit(static_cast<Eigen::Index>(axis)));
+    m_placedIn = m_bench.document.content().box;
     m_plane.offset = m_plane.direction.dot(m_placedIn.center());
     m_isFollowing = true;
     m_section->setChecked(true);
@@ -287,7 +331,7 @@ void Display::switchSection(bool on)
 {
     if (m_isFollowing)
         return;
-    if (on && !m_placedIn.isApprox(m_document.content().box))
+    if (on && !m_placedIn.isApprox(m_bench.document.content().box))
         setSectionAxis(m_plane.axis);
     else
         applySection();
@@ -297,16 +341,17 @@ void Display::switchCompare(bool on)
 {
     if (m_isFollowing)
         return;
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     options.divider = on ? std::optional(0.5) : std::nullopt;
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 void Display::switchAutomatic(bool on)
 {
     if (m_isFollowing)
         return;
-    const std::optional<ColorScale> scale = m_view.scale(); // a typed range begins with the one that was there
+    const std::optional<ColorScale> scale =
+        m_bench.viewport.scale(); // a typed range begins with the one that was there
     setRange(!on && scale ? std::optional(std::pair(scale->least, scale->most)) : std::nullopt);
 }
 
@@ -314,40 +359,34 @@ void Display::setHatched(bool on)
 {
     if (m_isFollowing)
         return;
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     options.section.isHatched = on;
     QSettings().setValue("display/hatched", on);
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 void Display::applySection()
 {
-    SceneOptions options = m_view.options();
+    SceneOptions options = m_bench.viewport.options();
     const double way = m_plane.isFlipped ? -1 : 1;
     if (m_section->isChecked())
         options.section.plane = CutPlane{way * m_plane.direction, way * m_plane.offset};
     else
         options.section.plane.reset();
-    m_view.setOptions(options);
+    m_bench.viewport.setOptions(options);
 }
 
 /// The view has other options: from here, from its knobs, or because it shows another part.
 void Display::follow()
 {
-    const SceneOptions& options = m_view.options();
+    const SceneOptions& options = m_bench.viewport.options();
     m_isFollowing = true;
     m_section->setChecked(options.section.plane.has_value());
     m_compare->setChecked(options.divider.has_value());
     m_hatched->setChecked(options.section.isHatched);
     m_automatic->setChecked(options.colors.quantity && !options.colors.range);
     m_isFollowing = false;
-    m_automatic->setEnabled(options.colors.quantity.has_value());
-    m_maps->setEnabled(options.colors.quantity && !hasSign(*options.colors.quantity));
-    const QString whyNoMap = options.colors.quantity
-                                 ? tr("This quantity has colors of its own, since it has two signs.")
-                                 : tr("Color the skin by a quantity first.");
-    for (QAction* action : m_maps->actions())
-        action->setProperty("whyDisabled", whyNoMap);
+    m_bench.availability.update();
     for (QAction* action : m_maps->actions())
         if (colorMapChoices()[static_cast<std::size_t>(action->data().toInt())].map == options.colors.map)
             action->setChecked(true);
@@ -358,16 +397,6 @@ void Display::follow()
         if (action->data().toInt() == numberOf(options.colors.quantity))
             action->setChecked(true);
     emit changed();
-}
-
-void Display::contentChanged()
-{
-    const bool isSimulated = !m_document.content().bodies.empty();
-    for (QAction* action : {m_skin, m_connections, m_original, m_breaks, m_section, m_flip, m_compare, m_hatched})
-        action->setEnabled(isSimulated);
-    m_colors->setEnabled(isSimulated);
-    m_axes->setEnabled(isSimulated);
-    follow();
 }
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/frame/workbench.h"
 #include "ui/viewport/scene_view.h"
 
 #include <QList>
@@ -14,20 +15,16 @@ class QMenu;
 
 namespace knead {
 
-struct Actions;
-class Document;
-class ViewportWidget;
-
 /// What a person chose to see, between the actions, the panel and the view: each of them may change it, all of them show it.
 /// What is switched on or off is remembered from one start of the program to the next.
 class Display final : public QObject {
     Q_OBJECT
 public:
-    /// @param window that gets the actions; they work wherever the keyboard is in it
-    /// @param actions those for objects and edges
-    Display(const Document& document, ViewportWidget& view, const Actions& actions, QWidget* window);
+    explicit Display(const Workbench& bench);
 
     QMenu* menu() const { return m_menu; }
+    /// For the menu of the view.
+    QList<QAction*> edgesAndObjects() const { return {m_edges, m_openEdges, m_grid, m_objects, m_allObjects}; }
     const QList<QAction*>& shown() const { return m_shown; } ///< that switch something on or off, in order
     QAction* section() const { return m_section; }
     QAction* flip() const { return m_flip; }
@@ -35,7 +32,7 @@ public:
     QActionGroup* colors() const { return m_colors; }
     QAction* automaticRange() const { return m_automatic; } ///< of the colors
     QAction* hatched() const { return m_hatched; }          ///< the cut
-    ViewportWidget& view() const { return m_view; }
+    ViewportWidget& view() const { return m_bench.viewport; }
 
     /// As it was when the program ended.
     void restore();
@@ -66,12 +63,15 @@ signals:
 
 private:
     QAction* make(const char* name, const QString& text, const char* icon, const QString& keys, const QString& tip);
-    void makeActions(const Actions& actions);
+    void makeActions();
+    void makeEdges();
+    void connectActions();
+    void sayWhyNot();
     void makeColors();
     void makeMaps();
     void makeCuts();
     QActionGroup* makeGroup(const std::vector<std::pair<QByteArray, QString>>& names, const QString& tip);
-    void makeMenu(const Actions& actions);
+    void makeMenu();
     void insideToggled();
     void apply();
     void applySection();
@@ -80,16 +80,17 @@ private:
     void switchAutomatic(bool on);
     void setHatched(bool on);
     void follow();
-    void contentChanged();
 
-    const Document& m_document;
-    ViewportWidget& m_view;
-    QWidget* m_window;
+    Workbench m_bench;
     QAction* m_skin = nullptr;
     QAction* m_objects = nullptr;
+    QAction* m_allObjects = nullptr;
     QAction* m_connections = nullptr;
     QAction* m_original = nullptr;
     QAction* m_breaks = nullptr;
+    QAction* m_edges = nullptr;
+    QAction* m_openEdges = nullptr;
+    QAction* m_grid = nullptr;
     QAction* m_section = nullptr;
     QAction* m_flip = nullptr;
     QAction* m_compare = nullptr;

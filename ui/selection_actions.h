@@ -3,7 +3,6 @@
 #include <QList>
 
 class QAction;
-class QActionGroup;
 class QWidget;
 
 namespace knead {
@@ -11,7 +10,7 @@ namespace knead {
 /// What a person can ask for about selecting, and about the lines of the model tree. Names of the actions are their object names.
 struct SelectionActions {
     /// Makes them all; they work wherever the keyboard is in `window`, but rename: in the widgets that it is added to.
-    explicit SelectionActions(QWidget* window);
+    explicit SelectionActions(QWidget& window);
 
     QList<QAction*> levels; ///< one per Level, exclusive
     QList<QAction*> shapes; ///< one per RegionShape, exclusive
@@ -36,11 +35,7 @@ struct SelectionActions {
     QAction* isolate;
     QAction* showAll;
     QAction* search;
-
-    /// Turns on or off what only makes sense with an open part.
-    void setDocumentOpen(bool isOpen, bool isSimulated);
-    /// What only makes sense with something selected.
-    void setSelected(bool isAnything);
+    QAction* hide; ///< or show, one body
 };
 
 } // namespace knead

@@ -272,6 +272,12 @@ std::optional<double> parseQuantity(const QString& text, Quantity quantity, doub
     return number * unit->scale;
 }
 
+QString formatChange(double share)
+{
+    constexpr double least = 5e-5;
+    return std::abs(share) < least ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * share);
+}
+
 QString formatCount(std::size_t count)
 {
     return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));

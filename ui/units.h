@@ -43,6 +43,9 @@ std::pair<QString, double> plainUnit(Quantity quantity);
 /// @return SI; empty when the text is not a number of this quantity
 std::optional<double> parseQuantity(const QString& text, Quantity quantity, double shown = 0);
 
+/// "-0.14 %"; no sign where rounding leaves nothing. @param share 0.01 is 1 %
+QString formatChange(double share);
+
 /// "12,345": whole numbers with separators.
 QString formatCount(std::size_t count);
 

@@ -3,6 +3,7 @@
 
 #include "app/cad_process.h"
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
@@ -26,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -156,7 +156,7 @@ void printJson(const Comparison& comparison, const CompareOptions& options)
                                   {"volume_before_mm3", 1e9 * body.rest.volume},
                                   {"volume_mm3", 1e9 * body.now.volume}});
     }
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    printAsJson(json);
 }
 
 bool isReport(const std::string& path)
@@ -177,8 +177,7 @@ int compare(const CompareOptions& options)
         const Compared compared =
             options.changed.empty() ? compareProject(options, control) : compareFiles(options, control);
         control.clear();
-        for (const Message& warning : compared.warnings)
-            std::cerr << "knead: warning: " << warning.english() << '\n';
+        printWarnings(compared.warnings);
         options.json ? printJson(compared.comparison, options) : print(compared.comparison);
         failure = exit_status::failed;
         if (!options.report.empty())

@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/export_file.h"
@@ -74,8 +75,7 @@ int convert(const ConvertOptions& options)
         failure = exit_status::failed;
         writeTo(options, model, control);
         control.clear();
-        for (const Message& warning : model.warnings)
-            std::cerr << "knead: warning: " << warning.english() << '\n';
+        printWarnings(model.warnings);
         if (model.unitRemark)
             std::cerr << "knead: warning: " << model.unitRemark->sentence.english() << '\n';
         for (const Message& sentence : model.missing)

@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "core/geometry/wall_thickness.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -96,8 +96,7 @@ void printJson(const Model& model)
         json["unit_remark"] = {{"sentence", model.unitRemark->sentence.english()}, {"unit", model.unitRemark->unit}};
     for (const Part& part : model.parts)
         json["parts"].push_back(toJson(part));
-    // Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    printAsJson(json);
 }
 
 std::string plural(std::size_t count, const char* noun)

@@ -1,6 +1,7 @@
 #include "app/commands/measure_command.h"
 
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "app/opened_shape.h"
@@ -13,7 +14,6 @@
 
 #include <array>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -126,7 +126,7 @@ void printJson(const std::vector<Row>& rows, const MeasureOptions& options, cons
                                         {"readings", std::move(readings)},
                                         {"doubt", doubtOn(row.measured.doubt)}});
     }
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    printAsJson(json);
 }
 
 int measure(const MeasureOptions& options)
@@ -135,8 +135,7 @@ int measure(const MeasureOptions& options)
         const OpenedShape shape = openShape(options.file, options.entry, options.import, control);
         const std::vector<Row> rows = measureAll(options, shape);
         control.clear();
-        for (const Message& warning : shape.warnings)
-            std::cerr << "knead: warning: " << warning.english() << '\n';
+        printWarnings(shape.warnings);
         options.json ? printJson(rows, options, shape) : print(rows, shape);
         return exit_status::done;
     });

@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/exit_status.h"
 #include "app/first_recipe.h"
 #include "app/resources.h"
@@ -62,8 +63,7 @@ int recipe(const RecipeOptions& options)
         const std::string text =
             isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
         control.clear();
-        for (const Message& remark : remarks)
-            std::cerr << "knead: warning: " << remark.english() << '\n';
+        printWarnings(remarks);
         failure = exit_status::failed;
         options.output.empty() ? void(std::cout << text) : writeFileSafely(options.output, text);
         return exit_status::done;

@@ -1,6 +1,7 @@
 #include "app/commands/replay_command.h"
 
 #include "app/commands/carry_out.h"
+#include "app/commands/command_output.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/export_file.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -94,11 +94,7 @@ void printTable(const Project& project, const ReplayReport& report)
                     static_cast<unsigned long long>(record.step), record.time, hexadecimal(record.hash).c_str(),
                     verdict(record, repeated).c_str());
     }
-    for (const std::string& file : report.files)
-        std::printf("wrote %s\n", file.c_str());
-    for (const ExportReport& exported : report.exports)
-        for (const std::string& line : linesOf(exported))
-            std::printf("%s\n", line.c_str());
+    printWritten(report.files, report.exports);
 }
 
 const char* wholeWord(RepeatedEntry::Whole whole)
@@ -133,7 +129,7 @@ void printJson(const Project& project, const ReplayReport& report)
     json["exports"] = Json::array();
     for (const ExportReport& exported : report.exports)
         json["exports"].push_back(Json::parse(reportToJson(exported)));
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    printAsJson(json);
 }
 
 int judge(const ReplayOptions& options, const ReplayReport& report)

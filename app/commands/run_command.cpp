@@ -1,5 +1,6 @@
 #include "app/commands/run_command.h"
 
+#include "app/commands/command_output.h"
 #include "app/commands/force_report.h"
 #include "app/commands/run_json.h"
 #include "app/complaint.h"
@@ -12,7 +13,6 @@
 #include "core/message/message.h"
 #include "core/session/recipe_runner.h"
 #include "core/session/recipe_scene.h"
-#include "io/export/job_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
@@ -45,11 +45,6 @@ struct RunOptions {
     bool json = false;
     bool endsWithParent = false;
 };
-
-void print(const nlohmann::ordered_json& json)
-{
-    std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-}
 
 /// What is worth a line only when it happened.
 void printDamage(const RunReport& report)
@@ -87,11 +82,7 @@ void printSummary(const RunReport& report)
         std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
                     tool.force.y(), tool.force.z(), tool.peakForce);
     printForces(report);
-    for (const std::string& file : report.files)
-        std::printf("wrote %s\n", file.c_str());
-    for (const ExportReport& exported : report.exports)
-        for (const std::string& line : linesOf(exported))
-            std::printf("%s\n", line.c_str());
+    printWritten(report.files, report.exports);
 }
 
 /// Those that were not said at once.
@@ -117,7 +108,7 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
         const RunReport report = runRecipe(recipe, recipeFiles(), options.outputFolder, control, say, options.tables);
         control.clear();
         sayWarnings(report, said);
-        options.json ? print(jsonOf(report)) : printSummary(report);
+        options.json ? printAsJson(jsonOf(report)) : printSummary(report);
         return exit_status::done;
     } catch (const Cancelled&) {
         control.clear();
@@ -129,12 +120,12 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
         control.clear();
         sayWarnings(failed.report, said);
         if (options.json)
-            print(jsonOf(failed.report));
+            printAsJson(jsonOf(failed.report));
         return complain(failed.what(), exit_status::failed);
     } catch (const std::exception& error) {
         control.clear();
         if (options.json)
-            print({{"failure", {{"kind", "failed"}, {"sentence", error.what()}}}});
+            printAsJson({{"failure", {{"kind", "failed"}, {"sentence", error.what()}}}});
         return complain(error.what(), exit_status::failed);
     }
 }
@@ -150,8 +141,7 @@ Recipe recipeOfSession(const RunOptions& options, const std::vector<MaterialPres
     const RecipeOfProjectChoices choices{
         .recipePath = options.recipe, .projectPath = options.recipe, .namesProject = true};
     const RecipeOfProject recipe = recipeOfProject(project, choices, presets);
-    for (const Message& remark : recipe.remarks)
-        std::cerr << "knead: warning: " << remark.english() << '\n';
+    printWarnings(recipe.remarks);
     return readRecipeText(recipe.text, options.recipe, presets, changes);
 }
 

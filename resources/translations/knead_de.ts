@@ -484,6 +484,17 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Zuerst ein Teil öffnen.</translation>
+    </message>
+    <message>
+        <source>Nothing in this part is closed, so nothing can be simulated.</source>
+        <translation>Nichts in diesem Teil ist geschlossen, also kann nichts simuliert werden.</translation>
+    </message>
+</context>
+<context>
     <name>Balance</name>
     <message>
         <source>Load step %1: %2</source>
@@ -583,6 +594,10 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Nichts heißt so: es mit weniger Buchstaben versuchen.</translation>
+    </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Jetzt nicht möglich.</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2333,18 @@
         <source>There are no forces to write yet: press Play and let something happen first.</source>
         <translation>Noch gibt es keine Kräfte zu schreiben: Starten drücken und etwas geschehen lassen.</translation>
     </message>
+    <message>
+        <source>Select a tool or a fixture first.</source>
+        <translation>Zuerst ein Werkzeug oder eine Einspannung wählen.</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Werkzeug hinzufügen</translation>
+    </message>
+    <message>
+        <source>Put a tool above the part to push it with</source>
+        <translation>Ein Werkzeug über das Teil setzen, um es damit zu drücken</translation>
+    </message>
 </context>
 <context>
     <name>HelpFeature</name>
@@ -3456,18 +3483,6 @@ Simuliert: %2, Schritt %3
         <translation>%1: abgebrochen, nichts hat sich geändert.</translation>
     </message>
     <message>
-        <source>%1 &quot;%2&quot;</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Flächen anklicken hält sie oder gibt sie frei   Esc: fertig</translation>
     </message>
@@ -3478,10 +3493,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Mitte: drehen   Umschalt+Mitte: schieben   Rad: zoomen</translation>
-    </message>
-    <message>
-        <source>Nothing selected.</source>
-        <translation>Nichts ausgewählt.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -3504,60 +3515,12 @@ Simuliert: %2, Schritt %3
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Add tool</source>
-        <translation>Werkzeug hinzufügen</translation>
-    </message>
-    <message>
-        <source>Put a tool above the part to push it with</source>
-        <translation>Ein Werkzeug über das Teil setzen, um es damit zu drücken</translation>
-    </message>
-    <message>
-        <source>There is nothing to undo.</source>
-        <translation>Es gibt nichts rückgängig zu machen.</translation>
-    </message>
-    <message>
-        <source>There is nothing to redo.</source>
-        <translation>Es gibt nichts zu wiederholen.</translation>
-    </message>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Zuerst ein Teil öffnen.</translation>
-    </message>
-    <message>
-        <source>Nothing in this part is closed, so nothing can be simulated.</source>
-        <translation>Nichts in diesem Teil ist geschlossen, also kann nichts simuliert werden.</translation>
-    </message>
-    <message>
-        <source>Only a part to which nothing was done yet is pressed like this.</source>
-        <translation>Nur ein Teil, mit dem noch nichts getan wurde, wird so gedrückt.</translation>
-    </message>
-    <message>
-        <source>Pause first.</source>
-        <translation>Zuerst anhalten.</translation>
-    </message>
-    <message>
-        <source>Select a tool or a fixture first.</source>
-        <translation>Zuerst ein Werkzeug oder eine Einspannung wählen.</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Jetzt nicht möglich.</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Ziehen verschiebt die Zeitleiste</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Darstellung</translation>
-    </message>
-    <message>
-        <source>Select something first.</source>
-        <translation>Zuerst etwas auswählen.</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5350,17 @@ Simuliert: %2, Schritt %3
         <source>A project is opened alone: choose one file, or only parts.</source>
         <translation>Ein Projekt wird allein geöffnet: eine Datei oder nur Teile wählen.</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyPages</name>
+    <message>
+        <source>Nothing selected.</source>
+        <translation>Nichts ausgewählt.</translation>
+    </message>
 </context>
 <context>
     <name>PullHand</name>
@@ -6793,6 +6767,10 @@ Simuliert: %2, Schritt %3
         <source>Selecting within %1</source>
         <translation>Auswählen im Umkreis von %1</translation>
     </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Zuerst etwas auswählen.</translation>
+    </message>
 </context>
 <context>
     <name>SelectionPanel</name>
@@ -6940,6 +6918,34 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Pause first.</source>
+        <translation>Zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Nur ein Teil, mit dem noch nichts getan wurde, wird so gedrückt.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>
@@ -7980,10 +7986,6 @@ Simuliert: %2, Schritt %3
 </context>
 <context>
     <name>ViewsFeature</name>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Zuerst ein Teil öffnen.</translation>
-    </message>
     <message>
         <source>Show two or four views first.</source>
         <translation>Zuerst zwei oder vier Ansichten zeigen.</translation>

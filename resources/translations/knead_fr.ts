@@ -484,6 +484,17 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Ouvrez d&apos;abord une pièce.</translation>
+    </message>
+    <message>
+        <source>Nothing in this part is closed, so nothing can be simulated.</source>
+        <translation>Rien dans cette pièce n&apos;est fermé, rien ne peut donc être simulé.</translation>
+    </message>
+</context>
+<context>
     <name>Balance</name>
     <message>
         <source>Load step %1: %2</source>
@@ -583,6 +594,10 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Rien ne s&apos;appelle ainsi&#xa0;: essayez moins de lettres.</translation>
+    </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Impossible pour l&apos;instant.</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2333,18 @@
         <source>There are no forces to write yet: press Play and let something happen first.</source>
         <translation>Il n&apos;y a encore aucune force à écrire&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
     </message>
+    <message>
+        <source>Select a tool or a fixture first.</source>
+        <translation>Choisissez d&apos;abord un outil ou une fixation.</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Ajouter un outil</translation>
+    </message>
+    <message>
+        <source>Put a tool above the part to push it with</source>
+        <translation>Mettre un outil au-dessus de la pièce pour la pousser</translation>
+    </message>
 </context>
 <context>
     <name>HelpFeature</name>
@@ -3456,18 +3483,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>%1&#xa0;: annulé, rien n&apos;a changé.</translation>
     </message>
     <message>
-        <source>%1 &quot;%2&quot;</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Cliquer des faces pour les tenir ou les libérer   Échap&#xa0;: fini</translation>
     </message>
@@ -3478,10 +3493,6 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Milieu&#xa0;: tourner   Maj+milieu&#xa0;: glisser   Molette&#xa0;: zoomer</translation>
-    </message>
-    <message>
-        <source>Nothing selected.</source>
-        <translation>Rien de choisi.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -3504,60 +3515,12 @@ Simulé&#xa0;: %2, pas %3
         <translation>Chronologie</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>Ouvrir &amp;récent</translation>
-    </message>
-    <message>
-        <source>Add tool</source>
-        <translation>Ajouter un outil</translation>
-    </message>
-    <message>
-        <source>Put a tool above the part to push it with</source>
-        <translation>Mettre un outil au-dessus de la pièce pour la pousser</translation>
-    </message>
-    <message>
-        <source>There is nothing to undo.</source>
-        <translation>Il n&apos;y a rien à annuler.</translation>
-    </message>
-    <message>
-        <source>There is nothing to redo.</source>
-        <translation>Il n&apos;y a rien à rétablir.</translation>
-    </message>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Ouvrez d&apos;abord une pièce.</translation>
-    </message>
-    <message>
-        <source>Nothing in this part is closed, so nothing can be simulated.</source>
-        <translation>Rien dans cette pièce n&apos;est fermé, rien ne peut donc être simulé.</translation>
-    </message>
-    <message>
-        <source>Only a part to which nothing was done yet is pressed like this.</source>
-        <translation>Seule une pièce à laquelle rien n&apos;a encore été fait est pressée ainsi.</translation>
-    </message>
-    <message>
-        <source>Pause first.</source>
-        <translation>Mettez d&apos;abord en pause.</translation>
-    </message>
-    <message>
-        <source>Select a tool or a fixture first.</source>
-        <translation>Choisissez d&apos;abord un outil ou une fixation.</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Impossible pour l&apos;instant.</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Tirer pour déplacer la chronologie</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Affichage</translation>
-    </message>
-    <message>
-        <source>Select something first.</source>
-        <translation>Sélectionnez d&apos;abord quelque chose.</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5350,17 @@ Simulé&#xa0;: %2, pas %3
         <source>A project is opened alone: choose one file, or only parts.</source>
         <translation>Un projet s&apos;ouvre seul&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouvrir &amp;récent</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyPages</name>
+    <message>
+        <source>Nothing selected.</source>
+        <translation>Rien de choisi.</translation>
+    </message>
 </context>
 <context>
     <name>PullHand</name>
@@ -6793,6 +6767,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Selecting within %1</source>
         <translation>Sélection à moins de %1</translation>
     </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Sélectionnez d&apos;abord quelque chose.</translation>
+    </message>
 </context>
 <context>
     <name>SelectionPanel</name>
@@ -6940,6 +6918,34 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Reset</source>
         <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Pause first.</source>
+        <translation>Mettez d&apos;abord en pause.</translation>
+    </message>
+    <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Seule une pièce à laquelle rien n&apos;a encore été fait est pressée ainsi.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Il n&apos;y a rien à annuler.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Il n&apos;y a rien à rétablir.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
     </message>
 </context>
 <context>
@@ -7980,10 +7986,6 @@ Simulé&#xa0;: %2, pas %3
 </context>
 <context>
     <name>ViewsFeature</name>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Ouvrez d&apos;abord une pièce.</translation>
-    </message>
     <message>
         <source>Show two or four views first.</source>
         <translation>Montrez d&apos;abord deux ou quatre vues.</translation>

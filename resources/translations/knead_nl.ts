@@ -484,6 +484,17 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Open eerst een onderdeel.</translation>
+    </message>
+    <message>
+        <source>Nothing in this part is closed, so nothing can be simulated.</source>
+        <translation>Niets in dit onderdeel is gesloten, dus er kan niets gesimuleerd worden.</translation>
+    </message>
+</context>
+<context>
     <name>Balance</name>
     <message>
         <source>Load step %1: %2</source>
@@ -583,6 +594,10 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Niets heet zo: probeer minder letters.</translation>
+    </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Nu niet mogelijk.</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2333,18 @@
         <source>There are no forces to write yet: press Play and let something happen first.</source>
         <translation>Er zijn nog geen krachten te schrijven: druk op Afspelen en laat eerst iets gebeuren.</translation>
     </message>
+    <message>
+        <source>Select a tool or a fixture first.</source>
+        <translation>Kies eerst gereedschap of een inklemming.</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Gereedschap toevoegen</translation>
+    </message>
+    <message>
+        <source>Put a tool above the part to push it with</source>
+        <translation>Gereedschap boven het onderdeel zetten om ermee te duwen</translation>
+    </message>
 </context>
 <context>
     <name>HelpFeature</name>
@@ -3456,18 +3483,6 @@ Gesimuleerd: %2, stap %3
         <translation>%1: geannuleerd, er is niets veranderd.</translation>
     </message>
     <message>
-        <source>%1 &quot;%2&quot;</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Ongedaan maken</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Opnieuw</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Vlakken aanklikken om ze vast te houden of vrij te geven   Esc: klaar</translation>
     </message>
@@ -3478,10 +3493,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Midden: draaien   Shift+midden: schuiven   Wiel: zoomen</translation>
-    </message>
-    <message>
-        <source>Nothing selected.</source>
-        <translation>Niets gekozen.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -3504,60 +3515,12 @@ Gesimuleerd: %2, stap %3
         <translation>Tijdlijn</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Recent geopend</translation>
-    </message>
-    <message>
-        <source>Add tool</source>
-        <translation>Gereedschap toevoegen</translation>
-    </message>
-    <message>
-        <source>Put a tool above the part to push it with</source>
-        <translation>Gereedschap boven het onderdeel zetten om ermee te duwen</translation>
-    </message>
-    <message>
-        <source>There is nothing to undo.</source>
-        <translation>Er is niets ongedaan te maken.</translation>
-    </message>
-    <message>
-        <source>There is nothing to redo.</source>
-        <translation>Er is niets opnieuw te doen.</translation>
-    </message>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Open eerst een onderdeel.</translation>
-    </message>
-    <message>
-        <source>Nothing in this part is closed, so nothing can be simulated.</source>
-        <translation>Niets in dit onderdeel is gesloten, dus er kan niets gesimuleerd worden.</translation>
-    </message>
-    <message>
-        <source>Only a part to which nothing was done yet is pressed like this.</source>
-        <translation>Alleen een onderdeel waaraan nog niets is gedaan, wordt zo ingedrukt.</translation>
-    </message>
-    <message>
-        <source>Pause first.</source>
-        <translation>Pauzeer eerst.</translation>
-    </message>
-    <message>
-        <source>Select a tool or a fixture first.</source>
-        <translation>Kies eerst gereedschap of een inklemming.</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Nu niet mogelijk.</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Sleep om de tijdlijn te verplaatsen</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Weergave</translation>
-    </message>
-    <message>
-        <source>Select something first.</source>
-        <translation>Selecteer eerst iets.</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5350,17 @@ Gesimuleerd: %2, stap %3
         <source>A project is opened alone: choose one file, or only parts.</source>
         <translation>Een project wordt alleen geopend: kies één bestand, of alleen onderdelen.</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Recent geopend</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyPages</name>
+    <message>
+        <source>Nothing selected.</source>
+        <translation>Niets gekozen.</translation>
+    </message>
 </context>
 <context>
     <name>PullHand</name>
@@ -6793,6 +6767,10 @@ Gesimuleerd: %2, stap %3
         <source>Selecting within %1</source>
         <translation>Objecten binnen %1 worden gekozen</translation>
     </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Selecteer eerst iets.</translation>
+    </message>
 </context>
 <context>
     <name>SelectionPanel</name>
@@ -6940,6 +6918,34 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Reset</source>
         <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>Pause first.</source>
+        <translation>Pauzeer eerst.</translation>
+    </message>
+    <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Alleen een onderdeel waaraan nog niets is gedaan, wordt zo ingedrukt.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Er is niets ongedaan te maken.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Er is niets opnieuw te doen.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Opnieuw</translation>
     </message>
 </context>
 <context>
@@ -7980,10 +7986,6 @@ Gesimuleerd: %2, stap %3
 </context>
 <context>
     <name>ViewsFeature</name>
-    <message>
-        <source>Open a part first.</source>
-        <translation>Open eerst een onderdeel.</translation>
-    </message>
     <message>
         <source>Show two or four views first.</source>
         <translation>Toon eerst twee of vier aanzichten.</translation>

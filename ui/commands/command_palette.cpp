@@ -1,5 +1,6 @@
 #include "ui/commands/command_palette.h"
 
+#include "ui/commands/availability.h"
 #include "ui/commands/fuzzy_match.h"
 
 #include <QAction>
@@ -130,10 +131,9 @@ std::optional<Ranked> rank(const ListedAction& one, const QString& wanted, qsize
 
 } // namespace
 
-CommandPalette::CommandPalette(QMainWindow& window, std::function<QString(const QAction&)> whyDisabled)
+CommandPalette::CommandPalette(QMainWindow& window)
     : QFrame(&window)
     , m_window(window)
-    , m_whyDisabled(std::move(whyDisabled))
     , m_field(new QLineEdit(this))
     , m_list(new QListWidget(this))
 {
@@ -208,13 +208,18 @@ void CommandPalette::list(const QString& wanted)
 void CommandPalette::addRow(const ListedAction& one, const QList<qsizetype>& hits)
 {
     const QAction& action = *one.action;
+    QString why;
+    if (!action.isEnabled())
+        why = Availability::whyNot(action);
+    if (!action.isEnabled() && why.isEmpty())
+        why = tr("Not possible now.");
     auto* item = new QListWidgetItem(action.icon(), one.text, m_list);
     QVariantList letters;
     for (const qsizetype hit : hits)
         letters << QVariant::fromValue(hit);
     item->setData(MenuRole, one.menu);
     item->setData(KeysRole, QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText));
-    item->setData(WhyRole, action.isEnabled() ? QString() : m_whyDisabled(action));
+    item->setData(WhyRole, why);
     item->setData(HitsRole, letters);
     item->setData(Qt::AccessibleTextRole, QStringLiteral("%1, %2").arg(one.text, one.menu));
     item->setToolTip(action.toolTip());

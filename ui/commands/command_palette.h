@@ -5,7 +5,6 @@
 #include <QFrame>
 #include <QPointer>
 
-#include <functional>
 #include <vector>
 
 class QLineEdit;
@@ -18,8 +17,7 @@ namespace knead {
 class CommandPalette final : public QFrame {
     Q_OBJECT
 public:
-    /// @param whyDisabled in a sentence for the person
-    CommandPalette(QMainWindow& window, std::function<QString(const QAction&)> whyDisabled);
+    explicit CommandPalette(QMainWindow& window);
 
     /// Opens over the window with all actions, those done last first.
     void open();
@@ -39,7 +37,6 @@ private:
     void leave();
 
     QMainWindow& m_window;
-    std::function<QString(const QAction&)> m_whyDisabled;
     QLineEdit* m_field;
     QListWidget* m_list;
     std::vector<ListedAction> m_actions;

@@ -10,7 +10,6 @@ class QLineEdit;
 class QMainWindow;
 class QPushButton;
 class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace knead {
 

@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace knead {
 
@@ -25,19 +24,12 @@ QString lengthText(double length)
     return formatReading(length, Quantity::Length);
 }
 
-/// "+0.25 %"; no sign where rounding leaves nothing.
-QString shareText(double share)
-{
-    constexpr double least = 5e-5;
-    return std::abs(share) < least ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * share);
-}
-
 QTreeWidgetItem* rowOf(const BodyComparison& body)
 {
     auto* row = new QTreeWidgetItem(
         {QString::fromStdString(body.name), lengthText(body.largestDistance), lengthText(body.meanDistance),
          lengthText(body.largestDisplacement), formatQuantity(body.rest.volume, Quantity::Volume),
-         formatQuantity(body.now.volume, Quantity::Volume), shareText(body.now.volume / body.rest.volume - 1),
+         formatQuantity(body.now.volume, Quantity::Volume), formatChange(body.now.volume / body.rest.volume - 1),
          formatQuantity(body.now.mass, Quantity::Mass)});
     row->setIcon(0, icon("part"));
     for (int column = 1; column < row->columnCount(); ++column)

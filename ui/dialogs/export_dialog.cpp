@@ -1,14 +1,12 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include "core/model/length_units.h"
+#include "ui/dialogs/dialog_buttons.h"
 #include "ui/panels/form.h"
-#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -100,17 +98,8 @@ ExportDialog::ExportDialog(const QString& selected, bool hidden, QWidget* parent
     m_report->setObjectName("exportKeepReport");
     form->addRow(QString(), m_report);
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
-    QPushButton* save = buttons->button(QDialogButtonBox::Save);
-    save->setObjectName("exportSave");
-    save->setText(tr("Choose a place..."));
-    setRole(*save, "primary");
-    for (QAbstractButton* button : buttons->buttons())
-        button->setIcon({});
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     column->addStretch();
-    column->addWidget(buttons);
+    column->addWidget(makeDialogButtons(*this, QDialogButtonBox::Save, "exportSave", tr("Choose a place...")));
 
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
     m_format->setCurrentIndex(std::max(0, m_format->findText(QSettings().value("export/format").toString())));

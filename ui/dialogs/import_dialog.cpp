@@ -1,6 +1,7 @@
 #include "ui/dialogs/import_dialog.h"
 
 #include "core/model/length_units.h"
+#include "ui/dialogs/dialog_buttons.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 #include "ui/units.h"
@@ -113,14 +114,7 @@ ImportDialog::ImportDialog(std::vector<FilePreview> previews, QWidget* parent)
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(12);
     column->addWidget(makeFacts());
-    m_buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
-    QPushButton* open = m_buttons->button(QDialogButtonBox::Open);
-    open->setObjectName("importOpen");
-    setRole(*open, "primary");
-    for (QAbstractButton* button : m_buttons->buttons())
-        button->setIcon({});
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_buttons = makeDialogButtons(*this, QDialogButtonBox::Open, "importOpen");
     const auto leaves = std::accumulate(m_previews.begin(), m_previews.end(), std::size_t{0},
                                         [](std::size_t sum, const FilePreview& p) { return sum + p.parts; });
     if (m_previews.size() == 1 && leaves > 1)

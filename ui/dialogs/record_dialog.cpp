@@ -1,14 +1,13 @@
 #include "ui/dialogs/record_dialog.h"
 
+#include "ui/dialogs/dialog_buttons.h"
 #include "ui/document/entry_names.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -57,7 +56,8 @@ RecordDialog::RecordDialog(Recording::Kind kind, double end, const ShownView& vi
     form->addRow(QString(), m_extent);
     column->addLayout(form);
     column->addStretch();
-    makeButtons();
+    column->addWidget(makeDialogButtons(*this, QDialogButtonBox::Save, "recordSave", tr("Choose a place...")));
+    connect(this, &QDialog::accepted, this, &RecordDialog::remember);
     restore();
     showExtent();
     resize(460, sizeHint().height());
@@ -96,21 +96,6 @@ void RecordDialog::makeSizes(const QSize& viewSize)
     for (const QSize& size : {QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160)})
         m_size->addItem(sizeText(size), size);
     connect(m_size, &QComboBox::currentIndexChanged, this, &RecordDialog::showExtent);
-}
-
-void RecordDialog::makeButtons()
-{
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
-    QPushButton* save = buttons->button(QDialogButtonBox::Save);
-    save->setObjectName("recordSave");
-    save->setText(tr("Choose a place..."));
-    setRole(*save, "primary");
-    for (QAbstractButton* button : buttons->buttons())
-        button->setIcon({});
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(this, &QDialog::accepted, this, &RecordDialog::remember);
-    layout()->addWidget(buttons);
 }
 
 void RecordDialog::restore()

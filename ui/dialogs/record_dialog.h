@@ -33,7 +33,6 @@ public:
 private:
     void makeFields(double end);
     void makeSizes(const QSize& viewSize);
-    void makeButtons();
     void restore();
     void remember() const;
     void showExtent();

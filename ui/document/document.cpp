@@ -1,13 +1,9 @@
 #include "ui/document/document.h"
 
-#include "core/session/export_jobs.h"
-#include "ui/document/face_memory.h"
-#include "ui/language/said.h"
-
-#include "core/mechanics/blade.h"
 #include "core/model/part_tree.h"
+#include "core/session/export_jobs.h"
 #include "core/simulation/moment.h"
-#include "ui/document/tool_kinds.h"
+#include "ui/document/face_memory.h"
 #include "ui/selection/selection_model.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/units.h"
@@ -16,24 +12,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 namespace knead {
 
 namespace {
 
-constexpr double fastestDisplay = 0.016; // [s]
-constexpr double slowestDisplay = 0.1;   // [s]
-constexpr double blockShare = 0.25;      // size of a new block, in sizes of the part
-constexpr double crossingTime = 1.5;     // a tool crosses the part in this time [s]
-// A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
-constexpr double stallStrain = 0.25;
-// And a new knife by this times what its whole edge takes in the toughest material.
-constexpr double cutsInLimit = 4;
+constexpr double fastestDisplay = 0.016;          // [s]
+constexpr double slowestDisplay = 0.1;            // [s]
 constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
 constexpr const char* notesPanel = "notes";
 
@@ -315,143 +302,10 @@ void Document::select(const Selection& selection)
     emit changed(Change::Selection);
 }
 
-void Document::addTool(ToolKind kind)
-{
-    addTool(lookOf(kind));
-}
-
-/// @param look of those there are, which stay
-void Document::addTool(const ToolKindLook& look)
-{
-    if (isEmpty() || later([this, &look] { addTool(look); }))
-        return;
-    Manipulator tool;
-    tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
-    tool.kind = look.kind;
-    tool.size = size() * blockShare * look.proportions;
-    tool.rollsFreely = look.rollsFreely;
-    const bool lies = tool.rolls() || (look.kind == ToolKind::cylinder && bladeOf(tool.shape()));
-    if (lies) // across, and goes down
-        tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
-    tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
-    tool.speedLimit = size() / crossingTime;
-    double stiffest = 0;
-    for (const Material& material : m_frame->snapshot->materials)
-        stiffest = std::max(stiffest, material.youngsModulus);
-    tool.forceLimit = stallStrain * stiffest * tool.size.x() * tool.size.y();
-    if (const auto blade = bladeOf(tool.shape())) // which needs more than what would stall so small a block
-        for (const Material& material : m_frame->snapshot->materials)
-            tool.forceLimit = std::max(tool.forceLimit, cutsInLimit * material.toughness * blade->length());
-    m_toolToSelect = tool.name;
-    post(AddManipulator{std::move(tool)});
-}
-
-/// Above those of the tools that are there and of those that were just added.
-int Document::numberOfNewTool(const ToolKindLook& look)
-{
-    int& count = m_toolCount[look.name];
-    const QString begin = QString(look.name) + ' ';
-    for (const ToolState& tool : m_frame->snapshot->tools)
-        if (const QString name = QString::fromStdString(tool.name); name.startsWith(begin))
-            count = std::max(count, name.mid(begin.size()).toInt());
-    return ++count;
-}
-
-void Document::renormalize()
-{
-    if (later([this] { renormalize(); }))
-        return;
-    if (m_selection.kind == Selection::Kind::Region) {
-        renormalizeRegion(m_selected->region());
-        return;
-    }
-    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
-        const bool isMeant = m_selection.kind != Selection::Kind::Body || m_selection.id == body;
-        if (isMeant && m_frame->snapshot->bodies[body].kind == BodyKind::deformable)
-            post(Renormalize{.body = body});
-    }
-}
-
-void Document::refillNow()
-{
-    if (later([this] { refillNow(); }))
-        return;
-    bool isAny = false;
-    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
-        const bool isSelected = m_selection.kind == Selection::Kind::Body && m_selection.id == body;
-        const bool isMeant =
-            isSelected || (m_selection.kind != Selection::Kind::Body && m_frame->snapshot->materials[body].yields());
-        if (isMeant)
-            post(Refill{.body = body});
-        isAny = isAny || isMeant;
-    }
-    if (!isAny)
-        emit notice(
-            tr("No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew."));
-}
-
-void Document::cutAlong(const Vec3& point, const Vec3& normal)
-{
-    if (later([this, point, normal] { cutAlong(point, normal); }))
-        return;
-    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
-        const bool isSelected = m_selection.kind == Selection::Kind::Body && m_selection.id == body;
-        const bool isMeant =
-            m_selection.kind != Selection::Kind::Body && m_frame->snapshot->bodies[body].kind == BodyKind::deformable;
-        if (isSelected || isMeant)
-            post(Cut{.body = body, .point = point, .normal = normal});
-    }
-}
-
-/// Just above what lies under the middle of the bodies, other tools included.
-Vec3 Document::placeAbove(const Vec3& toolSize) const
-{
-    Box box;
-    for (const auto& body : m_frame->bodies)
-        for (const Vec3& place : body->places)
-            box.extend(place);
-    const Vec3 center = box.center();
-    double top = std::numeric_limits<double>::lowest();
-    const auto raise = [&](const Vec3& place, const Vec3& margin) {
-        const Vec3 reach = toolSize / 2 + margin;
-        if (std::abs(place.x() - center.x()) <= reach.x() && std::abs(place.y() - center.y()) <= reach.y())
-            top = std::max(top, place.z() + margin.z());
-    };
-    for (const auto& body : m_frame->bodies)
-        for (const Vec3& place : body->places)
-            raise(place, Vec3::Zero());
-    for (const ToolState& tool : m_frame->snapshot->tools)
-        raise(tool.pose.position, tool.size / 2);
-    if (top < box.min().z()) // nothing there, as in a ring
-        top = box.max().z();
-    return {center.x(), center.y(), top + m_content->spacing + toolSize.z() / 2};
-}
-
-void Document::selectNewTool()
-{
-    if (m_toolToSelect.empty())
-        return;
-    for (const ToolState& tool : m_frame->snapshot->tools)
-        if (tool.name == m_toolToSelect) {
-            m_toolToSelect.clear();
-            select({Selection::Kind::Tool, tool.id});
-            return;
-        }
-}
-
 void Document::dropLostSelection()
 {
     if (m_selection.kind == Selection::Kind::Tool && tool(m_selection.id) == nullptr)
         select({});
-}
-
-const ToolState* Document::tool(ToolId id) const
-{
-    if (!m_frame)
-        return nullptr;
-    const auto& tools = m_frame->snapshot->tools;
-    const auto found = std::find_if(tools.begin(), tools.end(), [id](const ToolState& tool) { return tool.id == id; });
-    return found == tools.end() ? nullptr : &*found;
 }
 
 double Document::size() const

@@ -196,6 +196,8 @@ public:
     bool isLocked(const Selection& selection) const;
     void setLocked(const Selection& selection, bool on);
 
+    // ---- What is done to tools and bodies (document_tools.cpp, document_bodies.cpp, document_press.cpp) ----
+
     /// Removes the selected tool or fixture.
     void removeSelected();
 
@@ -224,7 +226,9 @@ public:
     Pose poseToMoveFrom(ToolId tool) const;
     /// Puts a tool elsewhere. @param move is told where the move begins
     void moveTool(ToolId tool, std::function<Pose(const Pose&)> move);
-    /// While paused the tool is put there; while time runs it goes there. @param axis 0, 1, 2: x, y, z
+    /// While paused the tool is put there; while time runs it goes there.
+    void bringTool(ToolId tool, const Pose& pose);
+    /// The same along an axis. @param axis 0, 1, 2: x, y, z
     void placeTool(ToolId tool, int axis, double coordinate);
     /// @param change of kind, size, friction and limits; the size is fitted to the kind afterwards
     void reshapeTool(ToolId tool, std::function<void(ToolState&)> change);

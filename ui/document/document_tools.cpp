@@ -1,11 +1,115 @@
-// Numbers of a tool, typed one by one.
+// New tools, and numbers of a tool, typed one by one.
 #include "ui/document/document.h"
 
+#include "core/mechanics/blade.h"
 #include "core/mechanics/tool_shape.h"
+#include "ui/document/tool_kinds.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace knead {
+
+namespace {
+
+constexpr double blockShare = 0.25; // size of a new block, in sizes of the part
+constexpr double timeToCross = 1.5; // a tool crosses the part in this time [s]
+// A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
+constexpr double stallStrain = 0.25;
+// And a new knife by this times what its whole edge takes in the toughest material.
+constexpr double cutsInLimit = 4;
+
+} // namespace
+
+void Document::addTool(ToolKind kind)
+{
+    addTool(lookOf(kind));
+}
+
+/// @param look of those there are, which stay
+void Document::addTool(const ToolKindLook& look)
+{
+    if (isEmpty() || later([this, &look] { addTool(look); }))
+        return;
+    Manipulator tool;
+    tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
+    tool.kind = look.kind;
+    tool.size = size() * blockShare * look.proportions;
+    tool.rollsFreely = look.rollsFreely;
+    const bool lies = tool.rolls() || (look.kind == ToolKind::cylinder && bladeOf(tool.shape()));
+    if (lies) // across, and goes down
+        tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
+    tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
+    tool.speedLimit = size() / timeToCross;
+    double stiffest = 0;
+    for (const Material& material : m_frame->snapshot->materials)
+        stiffest = std::max(stiffest, material.youngsModulus);
+    tool.forceLimit = stallStrain * stiffest * tool.size.x() * tool.size.y();
+    if (const auto blade = bladeOf(tool.shape())) // which needs more than what would stall so small a block
+        for (const Material& material : m_frame->snapshot->materials)
+            tool.forceLimit = std::max(tool.forceLimit, cutsInLimit * material.toughness * blade->length());
+    m_toolToSelect = tool.name;
+    post(AddManipulator{std::move(tool)});
+}
+
+/// Above those of the tools that are there and of those that were just added.
+int Document::numberOfNewTool(const ToolKindLook& look)
+{
+    int& count = m_toolCount[look.name];
+    const QString begin = QString(look.name) + ' ';
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        if (const QString name = QString::fromStdString(tool.name); name.startsWith(begin))
+            count = std::max(count, name.mid(begin.size()).toInt());
+    return ++count;
+}
+
+/// Just above what lies under the middle of the bodies, other tools included.
+Vec3 Document::placeAbove(const Vec3& toolSize) const
+{
+    Box box;
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            box.extend(place);
+    const Vec3 center = box.center();
+    double top = std::numeric_limits<double>::lowest();
+    const auto raise = [&](const Vec3& place, const Vec3& margin) {
+        const Vec3 reach = toolSize / 2 + margin;
+        if (std::abs(place.x() - center.x()) <= reach.x() && std::abs(place.y() - center.y()) <= reach.y())
+            top = std::max(top, place.z() + margin.z());
+    };
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            raise(place, Vec3::Zero());
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        raise(tool.pose.position, tool.size / 2);
+    if (top < box.min().z()) // nothing there, as in a ring
+        top = box.max().z();
+    return {center.x(), center.y(), top + m_content->spacing + toolSize.z() / 2};
+}
+
+void Document::selectNewTool()
+{
+    if (m_toolToSelect.empty())
+        return;
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        if (tool.name == m_toolToSelect) {
+            m_toolToSelect.clear();
+            select({Selection::Kind::Tool, tool.id});
+            return;
+        }
+}
+
+const ToolState* Document::tool(ToolId id) const
+{
+    if (!m_frame)
+        return nullptr;
+    const auto& tools = m_frame->snapshot->tools;
+    const auto found = std::find_if(tools.begin(), tools.end(), [id](const ToolState& tool) { return tool.id == id; });
+    return found == tools.end() ? nullptr : &*found;
+}
 
 std::optional<ToolState> Document::toolWithEdits(ToolId id) const
 {
@@ -34,6 +138,11 @@ void Document::placeTool(ToolId id, int axis, double coordinate)
         return;
     Pose pose = m_toolRequests.asked(*found).pose;
     pose.position[axis] = coordinate;
+    bringTool(id, pose);
+}
+
+void Document::bringTool(ToolId id, const Pose& pose)
+{
     if (m_isPlaying)
         post(SetManipulatorMotion{id, GoTo{pose}});
     else

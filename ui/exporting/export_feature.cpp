@@ -1,5 +1,7 @@
 #include "ui/exporting/export_feature.h"
 
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/format_filters.h"
@@ -22,13 +24,16 @@
 
 namespace knead {
 
-ExportFeature::ExportFeature(const Workbench& bench, const QAction& action)
+ExportFeature::ExportFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_action(makeAction(bench.window, {"export", QT_TRANSLATE_NOOP("Actions", "&Export..."), "export", "Ctrl+E",
+                                         QT_TRANSLATE_NOOP("Actions", "Write the deformed part to a file")}))
     , m_panel(new ExportPanel(&bench.window))
 {
     bench.docks.add("exportDock", tr("Export report"), m_panel);
-    connect(&action, &QAction::triggered, this, &ExportFeature::askForExport);
+    bench.availability.needBodies({m_action});
+    connect(m_action, &QAction::triggered, this, &ExportFeature::askForExport);
 }
 
 void ExportFeature::askForExport()
@@ -51,15 +56,13 @@ void ExportFeature::askForExport()
 
 void ExportFeature::askForPlace(const ExportRequest& request, const FileFormat& format)
 {
-    const QString proposed =
-        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
     const QString ending = QString::fromStdString(format.endings.front());
     const FileQuestion question{.name = "exportFileDialog",
                                 .title = request.onePerPart ? tr("Export a file for each part")
                                                             : tr("Export the deformed parts"),
                                 .filters = {filterOf(format)},
                                 .key = "exportFolder",
-                                .file = proposed + "-deformed." + ending};
+                                .file = m_bench.nameForFile("-deformed." + ending)};
     askForFileToWrite(m_bench.window, question, [this, request](const QString& path) { exportTo(path, request); });
 }
 

@@ -20,7 +20,9 @@ class ExportPanel;
 class ExportFeature final : public QObject {
     Q_OBJECT
 public:
-    ExportFeature(const Workbench& bench, const QAction& action);
+    explicit ExportFeature(const Workbench& bench);
+
+    QAction* action() const { return m_action; }
 
     /// Writes the deformed parts in the background; the ending decides the format.
     void exportTo(const QString& path, const ExportRequest& request = {});
@@ -38,6 +40,7 @@ private:
     void showExport(const std::vector<ExportReport>& reports);
 
     Workbench m_bench;
+    QAction* m_action;
     ExportPanel* m_panel;
 };
 

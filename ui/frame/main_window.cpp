@@ -1,12 +1,11 @@
 #include "ui/frame/main_window.h"
 
-#include "ui/actions.h"
 #include "ui/commands/command_palette.h"
-#include "ui/commands/shortcuts.h"
 #include "ui/display.h"
-#include "ui/document/tool_kinds.h"
+#include "ui/frame/center.h"
 #include "ui/frame/features.h"
 #include "ui/frame/notices.h"
+#include "ui/frame/status_line.h"
 #include "ui/frame/window_menus.h"
 #include "ui/interaction/hands.h"
 #include "ui/materials/material_store.h"
@@ -14,21 +13,18 @@
 #include "ui/modes.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/display_panel.h"
-#include "ui/panels/fixture_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/log_panel.h"
-#include "ui/panels/material_panel.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/panel_area.h"
-#include "ui/panels/press_button.h"
+#include "ui/panels/property_pages.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
-#include "ui/panels/tool_panel.h"
 #include "ui/project/project_keeper.h"
-#include "ui/units.h"
+#include "ui/theme.h"
 #include "ui/viewport/view_grid.h"
 
 #include <QAction>
@@ -36,17 +32,12 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
-#include <QFileInfo>
-#include <QLabel>
-#include <QMenu>
 #include <QMimeData>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -55,7 +46,6 @@ namespace knead {
 namespace {
 
 constexpr int layoutVersion = 2; // of the docks; layouts of another version are not restored
-constexpr const char* selectionBarShown = "selectionBar/shown";
 
 } // namespace
 
@@ -63,7 +53,8 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     : QMainWindow(parent)
     , m_atStart(PreferencesFeature::begin())
     , m_services(std::move(services))
-    , m_actions(std::make_unique<Actions>(this))
+    , m_availability(m_document, *this)
+    , m_actions(std::make_unique<WindowActions>(*this))
     , m_modes(new Modes(this))
     , m_docks(*this)
 {
@@ -74,18 +65,20 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     setWindowIcon(icon("knead"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
-    makeCenter();
+    m_center = new Center(m_document, QString::fromStdString(m_services.examplesFolder), this);
+    m_views = &m_center->views();
+    m_viewport = &m_views->active();
+    setCentralWidget(m_center);
     makePanels();
-    makeStatusBar();
+    m_status = new StatusLine(*statusBar(), m_tasks);
     makeFeatures();
-    makeSelectionBar();
     m_docks.arrange();
     makeMenus();
     connectActions();
     connectTasks();
-    keepHintClear();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     selectionChanged();
+    m_availability.update();
     m_docks.hideLaterOnes();
     m_layout = saveState();
     makeCommands();
@@ -134,35 +127,19 @@ Hands& MainWindow::hands()
     return m_features->hands->hands();
 }
 
-// --- what it consists of --------------------------------------------------------------------------------------------------
-
-void MainWindow::makeCenter()
+Banner& MainWindow::banner()
 {
-    auto* center = new QWidget(this);
-    auto* column = new QVBoxLayout(center);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    m_banner = new Banner(center);
-    m_pages = new QStackedWidget(center);
-    m_home = new HomePage(QString::fromStdString(m_services.examplesFolder), m_pages);
-    m_views = new ViewGrid(m_document, m_pages);
-    new PressButton(m_document, m_actions->pressIt, m_views);
-    m_viewport = &m_views->active();
-    m_pages->addWidget(m_home);
-    m_pages->addWidget(m_views);
-    column->addWidget(m_banner);
-    auto* row = new QHBoxLayout; // the bar for selecting comes before the pages
-    row->setSpacing(0);
-    row->addWidget(m_pages, 1);
-    column->addLayout(row, 1);
-    setCentralWidget(center);
+    return m_center->banner();
 }
+
+// --- what it consists of --------------------------------------------------------------------------------------------------
 
 void MainWindow::makePanels()
 {
     auto* log = new LogPanel(this);
-    m_notices = new Notices(*m_banner, *log, this);
-    m_bench.reset(new Workbench{*this, m_services, m_document, m_tasks, *m_notices, m_docks, *m_views, *m_viewport});
+    m_notices = new Notices(banner(), *log, this);
+    m_bench.reset(new Workbench{*this, m_services, m_document, m_tasks, *m_notices, m_docks, *m_views, *m_viewport,
+                                m_availability});
     m_materials = new MaterialStore(m_services, this);
     connect(m_materials, &MaterialStore::failed, this,
             [this](const QString& sentence) { m_notices->problem(sentence); });
@@ -172,22 +149,11 @@ void MainWindow::makePanels()
 
     m_tree = new ModelTree(m_document, this);
     m_history = new HistoryPanel(m_document);
-    m_properties = new QStackedWidget(this);
-    m_properties->setObjectName("properties");
-    auto* nothing = new QLabel(tr("Nothing selected."), m_properties);
-    nothing->setProperty("role", "dimmed");
-    nothing->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    nothing->setMargin(12);
-    auto* material = new MaterialPanel(m_document, *m_materials);
-    connect(material, &MaterialPanel::refillRequested, this,
+    m_properties = new PropertyPages(m_document, *m_materials, this);
+    connect(m_properties, &PropertyPages::refillRequested, this,
             [this](double spacing) { m_features->imports->refill(spacing); });
-    m_properties->addWidget(nothing); // in the order of Selection::Kind
-    m_properties->addWidget(scrolled(material));
-    m_properties->addWidget(scrolled(new ToolPanel(m_document)));
-    m_properties->addWidget(scrolled(new FixturePanel(m_document)));
     m_timeline = new TimelinePanel(m_document);
-    m_timeline->addButton(m_actions->recordVideo);
-    m_display = new Display(m_document, *m_viewport, *m_actions, this);
+    m_display = new Display(*m_bench);
 
     m_docks.add("modelDock", tr("Model"), new ModelPanel(m_tree));
     m_docks.add("historyDock", tr("History"), m_history);
@@ -199,78 +165,39 @@ void MainWindow::makePanels()
         ->setToolTip(tr("Drag to move the timeline"));
 }
 
-void MainWindow::makeStatusBar()
-{
-    m_readings = new StatusReadings(this);
-    m_readings->hide();
-    m_taskReading = new TaskReading(this);
-    m_hint = new QLabel(this);
-    m_hint->setObjectName("navigationHint");
-    m_hint->setProperty("role", "dimmed");
-    m_hint->setContentsMargins(8, 0, 0, 0);
-    statusBar()->setSizeGripEnabled(false);
-    statusBar()->addWidget(m_hint);
-    statusBar()->addWidget(m_taskReading);
-    statusBar()->addPermanentWidget(m_readings);
-}
-
 /// Each is handed what it takes; the order says no more than who takes whom.
 void MainWindow::makeFeatures()
 {
     m_features = std::make_unique<Features>();
     Features& f = *m_features;
     const Workbench& bench = *m_bench;
-    auto* recent = new QMenu(tr("Open &recent"), this);
-    recent->setObjectName("recentMenu");
-    recent->setToolTipsVisible(true);
-    f.projects = new ProjectsFeature(bench, *m_actions, *m_tree, *m_home, *recent);
-    f.recipes = new RecipesFeature(bench, *f.projects, *m_actions->exportRecipe);
-    f.imports = new ImportFeature(bench, *m_actions, *f.projects, *f.recipes);
-    f.exports = new ExportFeature(bench, *m_actions->exportMeshes);
-    f.simulation = new SimulationFeature(bench, *m_actions, *m_readings, *f.imports);
-    f.views = new ViewsFeature(bench, *m_actions);
+    f.preferences = new PreferencesFeature(bench, m_atStart);
+    f.views = new ViewsFeature(bench);
+    f.projects = new ProjectsFeature(bench, *m_tree, m_center->home(), *f.views->actions().perspective);
+    f.recipes = new RecipesFeature(bench, *f.projects);
+    f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
+    f.exports = new ExportFeature(bench);
+    f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
     f.probes = new ProbesFeature(bench, f.measuring->measuring());
     f.hands = new HandsFeature(bench, *m_modes);
-    f.recording = new RecordingFeature(bench, *m_actions->recordVideo, *m_actions->recordPictures);
-    f.selection = new SelectionFeature(bench, {*m_actions, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});
-    f.help = new HelpFeature(bench, *m_actions);
-    m_recent = recent;
-    connect(m_home, &HomePage::openClicked, this, [this] { m_features->imports->askForFile(false); });
+    f.recording = new RecordingFeature(bench);
+    f.selection = new SelectionFeature(
+        bench, {*f.simulation, *f.hands, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});
+    f.help = new HelpFeature(bench);
+    m_timeline->addButton(f.recording->actions().video);
+    connect(&m_center->home(), &HomePage::openClicked, this, [this] { m_features->imports->askForFile(false); });
     connect(&f.measuring->measuring(), &Measuring::promptChanged, this, &MainWindow::showHint);
     connect(&f.hands->hands(), &Hands::modeChanged, this, &MainWindow::showHint);
-    statusBar()->insertWidget(0, &f.selection->reading());
-}
-
-/// Beside the view, where the hand is.
-void MainWindow::makeSelectionBar()
-{
-    m_selectionBar = m_features->selection->newBar(centralWidget());
-    auto* row = qobject_cast<QBoxLayout*>(centralWidget()->layout()->itemAt(1)->layout());
-    row->insertWidget(0, m_selectionBar);
-    connect(m_selectionBar->toggleViewAction(), &QAction::triggered, this,
-            [](bool on) { QSettings().setValue(selectionBarShown, on); });
-    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::showSelectionBar);
-    showSelectionBar();
-}
-
-/// The bar beside the view comes and goes with the view, unless a person does not want it.
-void MainWindow::showSelectionBar()
-{
-    const bool isView = m_pages->currentWidget() == m_views;
-    m_selectionBar->toggleViewAction()->setEnabled(isView);
-    m_selectionBar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
+    m_selectionBar = f.selection->newBar(m_center);
+    m_center->setBar(*m_selectionBar);
+    m_availability.needPart({m_selectionBar->toggleViewAction()});
 }
 
 void MainWindow::makeMenus()
 {
-    m_addTool = new QMenu(tr("Add tool"), this);
-    m_addTool->setIcon(icon("add-block"));
-    m_addTool->setObjectName("addTool");
-    m_addTool->setEnabled(false);
-    m_addTool->menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
-    const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline, *m_recent, *m_addTool};
+    const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline};
     QMenu* panels = fillMenuBar(*this, sources);
     m_features->help->setToolBar(makeToolBar(*this, sources));
     listPanels(*this, *panels, *m_selectionBar, *m_actions);
@@ -279,10 +206,9 @@ void MainWindow::makeMenus()
 /// After all panels, menus and actions are there.
 void MainWindow::makeCommands()
 {
-    m_shortcuts = new Shortcuts(*this);
-    m_palette = new CommandPalette(*this, [this](const QAction& action) { return whyDisabled(action); });
-    m_features->preferences = new PreferencesFeature(*m_bench, *m_actions, *m_shortcuts, m_atStart);
     PreferencesFeature* preferences = m_features->preferences;
+    preferences->takeKeys();
+    m_palette = new CommandPalette(*this);
     connect(m_actions->palette, &QAction::triggered, this, [this] { m_palette->open(); });
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_actions->fullScreen, &QAction::triggered, this,
@@ -295,49 +221,19 @@ void MainWindow::makeCommands()
 
 void MainWindow::connectActions()
 {
-    const Actions& a = *m_actions;
-    connect(a.quit, &QAction::triggered, this, &QWidget::close);
-    connect(a.cancel, &QAction::triggered, this, &MainWindow::cancel);
-    for (QAction* action : a.addTool)
-        connect(action, &QAction::triggered, this, [this, action] {
-            m_document.addTool(toolsToAdd()[static_cast<std::size_t>(action->data().toInt())]);
-            m_viewport->setFocus(); // the arrow keys shall drive it
-        });
-    connect(a.fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
-    m_modes->add(a.fixFaces);
+    connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
-    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::showHint);
+    connect(m_center, &Center::turned, this, &MainWindow::showHint);
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
-    connect(a.hide, &QAction::triggered, m_tree, &ModelTree::toggleSelectedBody);
-    connect(m_tree, &ModelTree::hiddenChanged, this, [this](const std::set<std::size_t>& hiddenParts) {
-        SceneOptions options = m_viewport->options();
-        options.hiddenParts = hiddenParts;
-        m_viewport->setOptions(options);
-    });
 }
 
 void MainWindow::connectTasks()
 {
-    connect(&m_tasks, &TaskRunner::started, m_taskReading, &TaskReading::begin);
-    connect(&m_tasks, &TaskRunner::progressed, m_taskReading, &TaskReading::progress);
-    connect(&m_tasks, &TaskRunner::finished, m_taskReading, &TaskReading::end);
-    connect(m_taskReading, &TaskReading::cancelClicked, &m_tasks, &TaskRunner::cancel);
     connect(&m_tasks, &TaskRunner::failed, this,
             [this](const QString&, const QString& sentence) { m_notices->problem(sentence); });
     connect(&m_tasks, &TaskRunner::cancelled, this,
             [this](const QString& title) { m_notices->note(tr("%1: cancelled, nothing has changed.").arg(title)); });
-}
-
-/// A message in the status bar and the hint share a place: one at a time.
-void MainWindow::keepHintClear()
-{
-    const auto showHintWhenFree = [this] {
-        m_hint->setVisible(!m_tasks.isRunning() && statusBar()->currentMessage().isEmpty());
-    };
-    connect(&m_tasks, &TaskRunner::started, statusBar(), &QStatusBar::clearMessage);
-    connect(&m_tasks, &TaskRunner::started, m_hint, &QWidget::hide);
-    connect(&m_tasks, &TaskRunner::finished, this, showHintWhenFree);
-    connect(statusBar(), &QStatusBar::messageChanged, this, showHintWhenFree);
 }
 
 void MainWindow::restoreSettings()
@@ -359,7 +255,7 @@ void MainWindow::resetLayout()
 
 void MainWindow::followPreferences(const Preferences& now)
 {
-    m_readings->showUnits(now.lengthUnit + ", N, MPa");
+    m_status->readings().showUnits(now.lengthUnit + ", N, MPa");
     m_history->showAllowedMemory(now.historyMegabytes);
     projects().setKeepingInterval(now.keepingInterval);
     m_features->simulation->showThreads(now.threads);
@@ -376,6 +272,7 @@ void MainWindow::sayAllAnew()
         field->setValue(field->value());
     QEvent anew(QEvent::LanguageChange); // for those who put words and numbers together; a language sends another one
     QApplication::sendEvent(this, &anew);
+    m_availability.update();
     if (m_document.isEmpty())
         return;
     for (const Document::Change what :
@@ -387,42 +284,22 @@ void MainWindow::sayAllAnew()
 
 void MainWindow::documentChanged(Document::Change what)
 {
-    switch (what) {
-    case Document::Change::Model:
+    if (what == Document::Change::Model)
         modelChanged();
-        break;
-    case Document::Change::Frame:
-        m_features->simulation->showFrame();
-        break;
-    case Document::Change::Selection:
+    if (what == Document::Change::Selection)
         selectionChanged();
-        break;
-    case Document::Change::Filling:
-    case Document::Change::Fixtures:
-        break;
-    case Document::Change::History:
-        historyChanged();
-        break;
-    case Document::Change::Moment:
-        m_features->simulation->showSurroundings();
-        historyChanged();
-        break;
-    }
+    m_availability.update();
 }
 
 void MainWindow::modelChanged()
 {
     const FilledModel& content = m_document.content();
     const bool isSimulated = !content.bodies.empty();
-    m_selectionBar->setVisible(
-        QSettings().value(selectionBarShown, true).toBool()); // the view is laid out, and drawn, once
-    m_pages->setCurrentWidget(m_views);
-    m_actions->setDocumentOpen(true, isSimulated);
+    m_center->showViews();
     m_features->views->showArrangement();
-    m_addTool->setEnabled(isSimulated);
     m_modes->leave();
     m_features->simulation->showSurroundings();
-    m_readings->setVisible(isSimulated);
+    m_status->readings().setVisible(isSimulated);
     m_viewport->setFocus();
     m_viewport->fit();
     m_features->simulation->showFrame();
@@ -431,39 +308,32 @@ void MainWindow::modelChanged()
     m_features->imports->showImport();
 }
 
-/// Menu and buttons say what they would undo and redo.
-void MainWindow::historyChanged()
-{
-    const auto show = [](QAction* action, const QString& verb, const std::optional<QString>& name) {
-        action->setEnabled(name.has_value());
-        action->setText(name ? tr("%1 \"%2\"").arg(verb, *name) : verb);
-    };
-    show(m_actions->undo, tr("Undo"), m_document.undoName());
-    show(m_actions->redo, tr("Redo"), m_document.redoName());
-}
-
 void MainWindow::selectionChanged()
 {
-    const Selection::Kind kind = m_document.selection().kind;
-    m_properties->setCurrentIndex(static_cast<int>(kind));
-    m_actions->remove->setEnabled(kind == Selection::Kind::Tool || kind == Selection::Kind::Fixture);
+    m_properties->setCurrentIndex(static_cast<int>(m_document.selection().kind));
     showHint();
+}
+
+/// What the mouse and the keys do now.
+QString MainWindow::hint() const
+{
+    if (!m_center->hasViews())
+        return {}; // there is nothing to turn
+    const PickTool& tool = m_features->measuring->measuring().tool();
+    if (tool.isPicking())
+        return tool.prompt();
+    if (m_features->hands->actions().fixFaces->isChecked())
+        return tr("Click faces to hold or free them   Esc: done");
+    if (const QString ofHand = m_features->hands->hands().hint(); !ofHand.isEmpty())
+        return ofHand;
+    if (m_document.selection().kind == Selection::Kind::Tool)
+        return tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit");
+    return tr("Middle: orbit   Shift+middle: pan   Wheel: zoom");
 }
 
 void MainWindow::showHint()
 {
-    if (m_pages->currentWidget() != m_views)
-        m_hint->clear(); // there is nothing to turn
-    else if (measuring().tool().isPicking())
-        m_hint->setText(measuring().tool().prompt());
-    else if (m_actions->fixFaces->isChecked())
-        m_hint->setText(tr("Click faces to hold or free them   Esc: done"));
-    else if (const QString hint = hands().hint(); !hint.isEmpty())
-        m_hint->setText(hint);
-    else if (m_document.selection().kind == Selection::Kind::Tool)
-        m_hint->setText(tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit"));
-    else
-        m_hint->setText(tr("Middle: orbit   Shift+middle: pan   Wheel: zoom"));
+    m_status->showHint(hint());
 }
 
 /// Esc: gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
@@ -482,53 +352,26 @@ void MainWindow::cancel()
         m_document.select({});
 }
 
-/// Why an action cannot be done now. Whoever makes an action can say it in its property "whyDisabled".
-QString MainWindow::whyDisabled(const QAction& action) const
-{
-    const Actions& a = *m_actions;
-    QString own = action.property("whyDisabled").toString();
-    if (!own.isEmpty())
-        return own;
-    if (&action == a.undo)
-        return tr("There is nothing to undo.");
-    if (&action == a.redo)
-        return tr("There is nothing to redo.");
-    if (m_document.isEmpty())
-        return tr("Open a part first.");
-    if (m_document.content().bodies.empty())
-        return tr("Nothing in this part is closed, so nothing can be simulated.");
-    if (&action == a.step)
-        return tr("Pause first.");
-    if (&action == a.pressIt)
-        return tr("Only a part to which nothing was done yet is pressed like this.");
-    if (&action == a.remove)
-        return tr("Select a tool or a fixture first.");
-    const SelectionActions& s = m_features->selection->actions();
-    if (QList<const QAction*>{s.within, s.keep, s.fix, s.renormalize, s.glue}.contains(&action))
-        return tr("Select something first.");
-    return tr("Not possible now.");
-}
-
 // --- what comes and goes --------------------------------------------------------------------------------------------------
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); })) {
-        m_home->showDrop(true);
+        m_center->home().showDrop(true);
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent* event)
 {
-    m_home->showDrop(false);
+    m_center->home().showDrop(false);
     QMainWindow::dragLeaveEvent(event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    m_home->showDrop(false);
+    m_center->home().showDrop(false);
     activateWindow(); // the keys that follow are for this window, not for the one it comes from
     event->acceptProposedAction();
     QStringList paths;

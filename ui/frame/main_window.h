@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/commands/availability.h"
 #include "ui/document/document.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/workbench.h"
@@ -11,31 +12,26 @@
 
 #include <memory>
 
-class QAction;
-class QLabel;
-class QMenu;
-class QStackedWidget;
 class QToolBar;
 
 namespace knead {
 
-struct Actions;
 struct Features;
+struct WindowActions;
 class Banner;
+class Center;
 class CommandPalette;
 class Display;
 class Hands;
 class HistoryPanel;
-class HomePage;
 class MaterialStore;
 class Measuring;
 class ModelTree;
 class Modes;
 class ProbeSet;
 class ProjectKeeper;
-class Shortcuts;
-class StatusReadings;
-class TaskReading;
+class PropertyPages;
+class StatusLine;
 class TimelinePanel;
 class ViewGrid;
 class ViewportWidget;
@@ -60,7 +56,7 @@ public:
     Measuring& measuring();
     ProbeSet& probes();
     Hands& hands();
-    Banner& banner() { return *m_banner; }
+    Banner& banner();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -69,39 +65,32 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    void makeCenter();
     void makePanels();
-    void makeStatusBar();
     void makeFeatures();
-    void makeSelectionBar();
     void makeMenus();
     void makeCommands();
     void connectActions();
     void connectTasks();
-    void keepHintClear();
     void restoreSettings();
 
     void documentChanged(Document::Change what);
     void modelChanged();
     void selectionChanged();
-    void historyChanged();
+    QString hint() const;
     void showHint();
-    void showSelectionBar();
     void resetLayout();
     void followPreferences(const Preferences& now);
     void sayAllAnew();
     void cancel();
-    QString whyDisabled(const QAction& action) const;
 
     const Preferences m_atStart; ///< first of all: what is made next is in their language
     Services m_services;
     TaskRunner m_tasks;
     Document m_document;
-    std::unique_ptr<Actions> m_actions;
+    Availability m_availability;
+    std::unique_ptr<WindowActions> m_actions;
     Modes* m_modes; ///< of the left mouse button
-    Banner* m_banner = nullptr;
-    QStackedWidget* m_pages = nullptr;
-    HomePage* m_home = nullptr;
+    Center* m_center = nullptr;
     ViewGrid* m_views = nullptr;
     ViewportWidget* m_viewport = nullptr; ///< the active one of them
     Docks m_docks;
@@ -111,17 +100,12 @@ private:
     MaterialStore* m_materials = nullptr;
     ModelTree* m_tree = nullptr;
     HistoryPanel* m_history = nullptr;
-    QStackedWidget* m_properties = nullptr;
+    PropertyPages* m_properties = nullptr;
     TimelinePanel* m_timeline = nullptr;
     Display* m_display = nullptr;
-    QLabel* m_hint = nullptr;
-    StatusReadings* m_readings = nullptr;
-    TaskReading* m_taskReading = nullptr;
+    StatusLine* m_status = nullptr;
     QToolBar* m_selectionBar = nullptr;
-    QMenu* m_addTool = nullptr;
-    QMenu* m_recent = nullptr;
     CommandPalette* m_palette = nullptr;
-    Shortcuts* m_shortcuts = nullptr;
     QByteArray m_layout; ///< of panels, as it came
 };
 

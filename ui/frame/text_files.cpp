@@ -35,13 +35,12 @@ void write(const QByteArray& bytes, const std::string& pathForNow, const QString
 void askForTextFile(const Workbench& bench, const QString& title, const QString& ending, const QStringList& filters,
                     std::function<void(const QString& path)> then)
 {
-    const QString stem = QFileInfo(QString::fromStdString(bench.document.content().model->file)).completeBaseName();
     const FileQuestion question{.name = "textFileDialog",
                                 .title = title,
                                 .filters = filters,
                                 .key = "exportFolder",
                                 .folder = {},
-                                .file = stem + ending};
+                                .file = bench.nameForFile(ending)};
     askForFileToWrite(bench.window, question, std::move(then));
 }
 

@@ -1,6 +1,6 @@
 #include "ui/frame/window_menus.h"
 
-#include "ui/actions.h"
+#include "ui/commands/make_action.h"
 #include "ui/display.h"
 #include "ui/frame/features.h"
 #include "ui/interaction/hands.h"
@@ -28,76 +28,96 @@ struct WindowMenus {
 
 } // namespace
 
+WindowActions::WindowActions(QWidget& window)
+    : quit(makeAction(window, {"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), nullptr, "Ctrl+Q"}))
+    , cancel(makeAction(window, {"cancel", QT_TRANSLATE_NOOP("Actions", "Cancel"), "close", "Esc",
+                                 QT_TRANSLATE_NOOP("Actions", "Stop what is being done")}))
+    , palette(makeAction(window, {"palette", QT_TRANSLATE_NOOP("Actions", "Find a command..."), nullptr, "Ctrl+K",
+                                  QT_TRANSLATE_NOOP("Actions", "Find any command by a few of its letters and do it")}))
+    , resetLayout(makeAction(window, {"resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset layout"), nullptr, "",
+                                      QT_TRANSLATE_NOOP("Actions", "Put all panels back where they came")}))
+    , fullScreen(makeSwitch(window, {"fullScreen", QT_TRANSLATE_NOOP("Actions", "Full screen"), nullptr, "F11"}))
+{
+}
+
 QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
 {
-    const Actions& a = sources.actions;
-    const SelectionActions& s = sources.features.selection->actions();
+    const WindowActions& a = sources.actions;
+    const Features& f = sources.features;
+    const SelectionActions& s = f.selection->actions();
     QMenuBar* bar = window.menuBar();
     QMenu* file = bar->addMenu(WindowMenus::tr("&File"));
     file->setObjectName("fileMenu");
-    file->addActions({a.open, a.openWithChoices});
-    file->addMenu(&sources.recent);
+    file->addActions({f.imports->actions().open, f.imports->actions().openWithChoices});
+    file->addMenu(&f.projects->recentMenu());
     file->addSeparator();
-    file->addActions({a.save, a.saveAs, a.exportMeshes, a.exportRecipe});
+    file->addActions(
+        {f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(), f.recipes->exportAction()});
     file->addSeparator();
-    file->addAction(a.recover);
+    file->addAction(f.projects->actions().recover);
     file->addSeparator();
     file->addAction(a.quit);
 
+    const PreferencesFeature::Actions& p = f.preferences->actions();
     QMenu* edit = bar->addMenu(WindowMenus::tr("&Edit"));
-    edit->addActions({a.undo, a.redo, a.cancel});
+    const SimulationActions& time = f.simulation->actions();
+    edit->addActions({time.undo, time.redo, a.cancel});
     edit->addSeparator();
-    edit->addActions({a.palette, a.shortcuts, a.preferences});
+    edit->addActions({a.palette, p.shortcuts, p.preferences});
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
     edit->addSeparator();
     edit->addAction(s.search);
 
     QMenu* simulation = bar->addMenu(WindowMenus::tr("&Simulation"));
-    simulation->addActions({a.play, a.step, a.findBalance, a.reset, a.pressIt});
+    simulation->addActions({time.play, time.step, time.findBalance, time.reset, time.pressIt});
     simulation->addSeparator();
-    simulation->addActions({a.gravity, a.floor, a.renormalize, a.refillNow, a.cutHere});
+    simulation->addActions({time.gravity, time.floor, time.renormalize, time.refillNow, time.cutHere});
     simulation->addSeparator();
-    for (QMenu* choice : sources.features.simulation->newMenus())
+    for (QMenu* choice : f.simulation->newMenus())
         simulation->addMenu(choice);
-    simulation->addAction(a.keepUp);
+    simulation->addAction(time.keepUp);
     simulation->addSeparator();
     QMenu* film = simulation->addMenu(WindowMenus::tr("Timeline"));
     film->addActions(sources.timeline.actions());
     film->addMenu(sources.timeline.newRateMenu(&window));
-    simulation->addActions({a.recordVideo, a.recordPictures});
+    simulation->addActions({f.recording->actions().video, f.recording->actions().pictures});
 
     QMenu* tools = bar->addMenu(WindowMenus::tr("&Tools"));
-    tools->addMenu(&sources.addTool);
-    sources.addTool.addActions(a.addTool);
-    tools->addActions({a.fixFaces, a.remove});
-    sources.features.hands->hands().addTo(tools);
+    tools->addMenu(&f.hands->addToolMenu());
+    tools->addActions({f.hands->actions().fixFaces, f.hands->actions().remove});
+    f.hands->hands().addTo(tools);
 
-    QMenu* measure = sources.features.measuring->menu();
-    sources.features.measuring->measuring().fillMenu(measure); // with what others pick
+    QMenu* measure = f.measuring->menu();
+    f.measuring->measuring().fillMenu(measure); // with what others pick
+    measure->addSeparator();
+    measure->addAction(f.comparison->action());
     bar->addMenu(measure);
-    bar->addMenu(sources.features.selection->newMenu());
+    bar->addMenu(f.selection->newMenu());
 
     QMenu* view = bar->addMenu(WindowMenus::tr("&View"));
-    view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
+    const ViewActions& v = f.views->actions();
+    view->addActions({v.fit, v.isometric, v.front, v.back, v.right, v.left, v.top, v.bottom});
     view->addSeparator();
     QMenu* views = view->addMenu(WindowMenus::tr("Viewports"));
     views->setObjectName("viewportsMenu");
     views->setToolTipsVisible(true);
-    views->addActions({a.oneView, a.twoViews, a.fourViews});
+    views->addActions({v.oneView, v.twoViews, v.fourViews});
     views->addSeparator();
-    views->addActions({a.viewAlone, a.nextView, a.linkedViews});
+    views->addActions({v.viewAlone, v.nextView, v.linkedViews});
     view->addMenu(sources.display.menu());
-    view->addActions(
-        {a.perspective, a.edges, a.openEdges, a.grid, a.objects, a.allObjects, s.isolate, s.showAll, a.hide});
+    view->addAction(v.perspective);
+    view->addActions(sources.display.edgesAndObjects());
+    view->addActions({s.isolate, s.showAll, s.hide});
     view->addSeparator();
-    view->addMenu(WindowMenus::tr("Theme"))->addActions({a.lightTheme, a.darkTheme, a.systemTheme});
+    view->addMenu(WindowMenus::tr("Theme"))->addActions({p.lightTheme, p.darkTheme, p.systemTheme});
     QMenu* panels = view->addMenu(WindowMenus::tr("Panels"));
     panels->setObjectName("panelsMenu");
     view->addAction(a.fullScreen);
 
     QMenu* help = bar->addMenu(WindowMenus::tr("&Help"));
-    help->addActions({a.handbook, a.tour, a.controls, a.about});
+    const HelpFeature::Actions& h = f.help->actions();
+    help->addActions({h.handbook, h.tour, h.controls, h.about});
     return panels;
 }
 
@@ -109,37 +129,40 @@ QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources)
     bar->setMovable(false);
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    const Actions& a = sources.actions;
-    bar->addActions({a.open, a.save, a.exportMeshes});
+    const Features& f = sources.features;
+    const SimulationActions& time = f.simulation->actions();
+    QAction* const open = f.imports->actions().open;
+    QAction* const save = f.projects->actions().save;
+    QAction* const addTool = f.hands->addToolMenu().menuAction();
+    QAction* const fixFaces = f.hands->actions().fixFaces;
+    QAction* const display = sources.display.menu()->menuAction();
+    bar->addActions({open, save, f.exports->action()});
     bar->addSeparator();
-    bar->addActions({a.undo, a.redo});
+    bar->addActions({time.undo, time.redo});
     bar->addSeparator();
-    bar->addActions({a.play, a.step, a.reset});
+    bar->addActions({time.play, time.step, time.reset});
     bar->addSeparator();
-    bar->addActions({sources.addTool.menuAction(), a.fixFaces});
-    qobject_cast<QToolButton*>(bar->widgetForAction(sources.addTool.menuAction()))
-        ->setPopupMode(QToolButton::InstantPopup);
+    bar->addActions({addTool, fixFaces});
     bar->addSeparator();
-    bar->addActions({a.gravity, a.floor, a.renormalize});
+    bar->addActions({time.gravity, time.floor, time.renormalize});
     bar->addSeparator();
-    bar->addActions({sources.display.menu()->menuAction(), a.fit});
-    const auto buttonOf = [bar](QAction* action) { return qobject_cast<QToolButton*>(bar->widgetForAction(action)); };
-    buttonOf(sources.display.menu()->menuAction())->setPopupMode(QToolButton::InstantPopup);
+    bar->addActions({display, f.views->actions().fit});
+    for (QAction* menu : {addTool, display})
+        qobject_cast<QToolButton*>(bar->widgetForAction(menu))->setPopupMode(QToolButton::InstantPopup);
     auto* measure = new QToolButton(bar);
     measure->setObjectName("measureButton");
     measure->setIcon(icon("measure"));
     measure->setToolTip(WindowMenus::tr("Measure the part"));
     measure->setPopupMode(QToolButton::InstantPopup);
-    measure->setMenu(sources.features.measuring->menu());
+    measure->setMenu(f.measuring->menu());
     bar->addWidget(measure);
-    bar->setTexts({a.play, sources.addTool.menuAction(), a.fixFaces, a.exportMeshes,
-                   sources.display.menu()->menuAction(), a.open, a.reset, a.renormalize, a.gravity, a.floor, a.step,
-                   a.save});
-    bar->setTurns(a.play, &Actions::textsOfPlay);
+    bar->setTexts({time.play, addTool, fixFaces, f.exports->action(), display, open, time.reset, time.renormalize,
+                   time.gravity, time.floor, time.step, save});
+    bar->setTurns(time.play, &SimulationActions::textsOfPlay);
     return *bar;
 }
 
-void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const Actions& actions)
+void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const WindowActions& actions)
 {
     const auto add = [&panels](QAction* toggle, const QString& name) {
         toggle->setObjectName("show_" + name);

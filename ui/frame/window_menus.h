@@ -2,25 +2,35 @@
 
 #include <QList>
 
+class QAction;
 class QMainWindow;
 class QMenu;
 class QToolBar;
+class QWidget;
 
 namespace knead {
 
-struct Actions;
 struct Features;
 class Display;
 class TimelinePanel;
 
+/// What a person can ask of the window itself.
+struct WindowActions {
+    explicit WindowActions(QWidget& window);
+
+    QAction* quit;
+    QAction* cancel;
+    QAction* palette;
+    QAction* resetLayout;
+    QAction* fullScreen;
+};
+
 /// What menus and tool bar are made of.
 struct MenuSources {
-    const Actions& actions;
+    const WindowActions& actions;
     const Features& features;
     const Display& display;
     const TimelinePanel& timeline;
-    QMenu& recent;  ///< files
-    QMenu& addTool; ///< gets its actions
 };
 
 /// @return the menu of the panels, still empty
@@ -30,6 +40,6 @@ QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources);
 
 /// Every dock and bar can be closed and comes back from here.
 /// @param besides another bar, in the middle of the window
-void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const Actions& actions);
+void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const WindowActions& actions);
 
 } // namespace knead

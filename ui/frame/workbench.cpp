@@ -4,6 +4,7 @@
 #include "ui/language/said.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace knead {
 
@@ -13,6 +14,11 @@ bool Workbench::isBusy() const
         notices.problem(said(Message("Workbench", "%1 is still going on: wait for it, or cancel it with Esc.")
                                  .with(tasks.title().toStdString())));
     return tasks.isRunning();
+}
+
+QString Workbench::nameForFile(const QString& rest) const
+{
+    return QFileInfo(QString::fromStdString(document.content().model->file)).completeBaseName() + rest;
 }
 
 } // namespace knead

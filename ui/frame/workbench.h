@@ -8,6 +8,7 @@ class QMainWindow;
 
 namespace knead {
 
+class Availability;
 class Docks;
 class Notices;
 class ViewGrid;
@@ -22,10 +23,14 @@ struct Workbench {
     Notices& notices;
     Docks& docks;
     ViewGrid& views;
-    ViewportWidget& viewport; ///< the active one of them
+    ViewportWidget& viewport;   ///< the active one of them
+    Availability& availability; ///< of the actions
 
     /// Whether something is done in the background; then says with what.
     bool isBusy() const;
+
+    /// A name for a file that is written of the open part. @param rest "-forces.csv"
+    QString nameForFile(const QString& rest) const;
 };
 
 } // namespace knead

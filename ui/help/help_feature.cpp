@@ -1,6 +1,6 @@
 #include "ui/help/help_feature.h"
 
-#include "ui/actions.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/help/handbook.h"
 #include "ui/help/handbook_window.h"
@@ -22,14 +22,25 @@ constexpr const char* tourSeen = "tour/seen";
 
 } // namespace
 
-HelpFeature::HelpFeature(const Workbench& bench, const Actions& actions)
+HelpFeature::Actions::Actions(QWidget& window)
+    : handbook(makeAction(window, {"handbook", QT_TRANSLATE_NOOP("Actions", "&Handbook"), nullptr, "F1",
+                                   QT_TRANSLATE_NOOP("Actions", "At the page of what one does")}))
+    , tour(makeAction(window, {"tour", QT_TRANSLATE_NOOP("Actions", "&Tour of the window"), nullptr, "",
+                               QT_TRANSLATE_NOOP("Actions", "What is where, in a minute")}))
+    , controls(makeAction(window, {"controls", QT_TRANSLATE_NOOP("Actions", "Mouse and keys")}))
+    , about(makeAction(window, {"about", QT_TRANSLATE_NOOP("Actions", "About Knead")}))
+{
+}
+
+HelpFeature::HelpFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_actions(bench.window)
 {
-    connect(actions.handbook, &QAction::triggered, this, &HelpFeature::showHandbook);
-    connect(actions.tour, &QAction::triggered, this, &HelpFeature::showTour);
-    connect(actions.controls, &QAction::triggered, this, &HelpFeature::showControls);
-    connect(actions.about, &QAction::triggered, this, &HelpFeature::showAbout);
+    connect(m_actions.handbook, &QAction::triggered, this, &HelpFeature::showHandbook);
+    connect(m_actions.tour, &QAction::triggered, this, &HelpFeature::showTour);
+    connect(m_actions.controls, &QAction::triggered, this, &HelpFeature::showControls);
+    connect(m_actions.about, &QAction::triggered, this, &HelpFeature::showAbout);
 }
 
 HelpFeature::~HelpFeature()

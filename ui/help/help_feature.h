@@ -5,9 +5,11 @@
 #include <QObject>
 #include <QPointer>
 
+class QAction;
+class QWidget;
+
 namespace knead {
 
-struct Actions;
 class HandbookWindow;
 class Tour;
 
@@ -15,8 +17,19 @@ class Tour;
 class HelpFeature final : public QObject {
     Q_OBJECT
 public:
-    HelpFeature(const Workbench& bench, const Actions& actions);
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QAction* handbook;
+        QAction* tour;
+        QAction* controls;
+        QAction* about;
+    };
+
+    explicit HelpFeature(const Workbench& bench);
     ~HelpFeature() override;
+
+    const Actions& actions() const { return m_actions; }
 
     /// The tool bar that the tour shows; before its first. It stays as long as this.
     void setToolBar(QWidget& bar) { m_toolBar = &bar; }
@@ -31,6 +44,7 @@ private:
     void showAbout();
 
     Workbench m_bench;
+    Actions m_actions;
     QWidget* m_toolBar = nullptr;
     QPointer<HandbookWindow> m_handbook;
     QPointer<Tour> m_tour;

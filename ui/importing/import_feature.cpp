@@ -2,7 +2,7 @@
 
 #include "core/message/message.h"
 #include "core/model/length_units.h"
-#include "ui/actions.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/format_filters.h"
 #include "ui/dialogs/import_dialog.h"
@@ -34,17 +34,27 @@ constexpr qint64 largeFile = 4'000'000; // [bytes]; reading takes seconds, so th
 
 } // namespace
 
-ImportFeature::ImportFeature(const Workbench& bench, const Actions& actions, ProjectsFeature& projects,
-                             RecipesFeature& recipes)
+ImportFeature::Actions::Actions(QWidget& window)
+    : open(makeAction(window, {"open", QT_TRANSLATE_NOOP("Actions", "&Open..."), "open", "Ctrl+O",
+                               QT_TRANSLATE_NOOP("Actions", "Open a part, a project or a recipe")}))
+    , openWithChoices(makeAction(
+          window,
+          {"openWithChoices", QT_TRANSLATE_NOOP("Actions", "Open with &choices..."), nullptr, "Ctrl+Shift+O",
+           QT_TRANSLATE_NOOP("Actions", "Look into files and choose parts, detail and units before they are opened")}))
+{
+}
+
+ImportFeature::ImportFeature(const Workbench& bench, ProjectsFeature& projects, RecipesFeature& recipes)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_actions(bench.window)
     , m_projects(projects)
     , m_recipes(recipes)
     , m_panel(new ImportPanel(&bench.window))
 {
     bench.docks.add("importDock", tr("Import report"), m_panel);
-    connect(actions.open, &QAction::triggered, this, [this] { askForFile(false); });
-    connect(actions.openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
+    connect(m_actions.open, &QAction::triggered, this, [this] { askForFile(false); });
+    connect(m_actions.openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
     connect(m_panel, &ImportPanel::unitChosen, this, &ImportFeature::takeIn);
     connect(m_panel, &ImportPanel::healingChosen, this, &ImportFeature::takeHealed);
     connect(m_panel, &ImportPanel::fillingChosen, this, &ImportFeature::fillOpenParts);

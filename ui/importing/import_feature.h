@@ -9,9 +9,11 @@
 #include <functional>
 #include <vector>
 
+class QAction;
+class QWidget;
+
 namespace knead {
 
-struct Actions;
 class ImportPanel;
 class ProjectsFeature;
 class RecipesFeature;
@@ -21,7 +23,16 @@ class RecipesFeature;
 class ImportFeature final : public QObject {
     Q_OBJECT
 public:
-    ImportFeature(const Workbench& bench, const Actions& actions, ProjectsFeature& projects, RecipesFeature& recipes);
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QAction* open;
+        QAction* openWithChoices;
+    };
+
+    ImportFeature(const Workbench& bench, ProjectsFeature& projects, RecipesFeature& recipes);
+
+    const Actions& actions() const { return m_actions; }
 
     /// Opens files in the background, several as one assembly, or a project, or a recipe. A failure is shown in a
     /// sentence and leaves everything as it was; what is not saved is not asked about.
@@ -50,6 +61,7 @@ private:
     void fillOpenParts();
 
     Workbench m_bench;
+    Actions m_actions;
     ProjectsFeature& m_projects;
     RecipesFeature& m_recipes;
     ImportPanel* m_panel;

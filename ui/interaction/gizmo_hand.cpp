@@ -206,17 +206,9 @@ void GizmoHand::follow(bool isSnapped)
         asked = m_drag->asked; // what is typed is no number yet
     if (asked != m_drag->asked) {
         m_drag->asked = asked;
-        post(m_drag->gizmo.moved(m_drag->start, m_drag->part, asked));
+        m_document.bringTool(m_drag->tool, m_drag->gizmo.moved(m_drag->start, m_drag->part, asked));
     }
     m_overlay->refresh();
-}
-
-void GizmoHand::post(const Pose& target)
-{
-    if (m_document.isPlaying())
-        m_document.post(SetManipulatorMotion{m_drag->tool, GoTo{target}});
-    else
-        m_document.post(PlaceManipulator{m_drag->tool, target});
 }
 
 void GizmoHand::finish()

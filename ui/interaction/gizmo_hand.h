@@ -54,7 +54,6 @@ private:
     void setLit(GizmoPart part);
     void lookAnew(const QPointF& cursor);
     void follow(bool isSnapped);
-    void post(const Pose& target);
     void finish();
     void cancel();
     void letGo();

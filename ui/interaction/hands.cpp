@@ -1,5 +1,6 @@
 #include "ui/interaction/hands.h"
 
+#include "ui/commands/availability.h"
 #include "ui/interaction/gizmo_hand.h"
 #include "ui/interaction/hand_panel.h"
 #include "ui/interaction/key_hand.h"
@@ -10,35 +11,34 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
+#include <QMainWindow>
 #include <QMenu>
 
 namespace knead {
 
-Hands::Hands(QWidget* window, Document& document, ViewportWidget& view)
-    : QObject(&view)
-    , m_window(window)
-    , m_document(document)
-    , m_view(view)
-    , m_keyHand(new KeyHand(document, view, m_settings))
-    , m_pressHand(new PressHand(document, view))
-    , m_pullHand(new PullHand(document, view, m_settings))
-    , m_gizmoHand(new GizmoHand(document, view, m_settings))
-    , m_spaceHand(new SpaceHand(document, view, m_settings))
+Hands::Hands(const Workbench& bench)
+    : QObject(&bench.viewport)
+    , m_bench(bench)
+    , m_keyHand(new KeyHand(bench.document, bench.viewport, m_settings))
+    , m_pressHand(new PressHand(bench.document, bench.viewport))
+    , m_pullHand(new PullHand(bench.document, bench.viewport, m_settings))
+    , m_gizmoHand(new GizmoHand(bench.document, bench.viewport, m_settings))
+    , m_spaceHand(new SpaceHand(bench.document, bench.viewport, m_settings))
 {
     makeActions();
     connectActions();
-    enable();
+    bench.availability.needBodies({m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_forces, m_forceTable});
 }
 
 QAction* Hands::make(const char* name, const QString& text, const char* picture, const QKeySequence& key,
                      const QString& tip, bool isCheckable)
 {
-    auto* action = new QAction(icon(picture), text, m_window);
+    auto* action = new QAction(icon(picture), text, &m_bench.window);
     action->setObjectName(name);
     action->setShortcut(key);
     action->setCheckable(isCheckable);
     action->setToolTip(tip);
-    m_window->addAction(action);
+    m_bench.window.addAction(action);
     return action;
 }
 
@@ -73,7 +73,7 @@ void Hands::connectActions()
     connect(m_keys, &QAction::toggled, this, [this](bool on) {
         m_keyHand->setOn(on);
         if (on)
-            m_view.setFocus();
+            m_bench.viewport.setFocus();
         emit modeChanged();
     });
     connect(m_pull, &QAction::toggled, this, [this](bool on) {
@@ -85,9 +85,9 @@ void Hands::connectActions()
         emit modeChanged();
     });
     connect(m_forces, &QAction::toggled, this, [this](bool on) {
-        SceneOptions options = m_view.options();
+        SceneOptions options = m_bench.viewport.options();
         options.forces = on;
-        m_view.setOptions(options);
+        m_bench.viewport.setOptions(options);
     });
     keep(m_gizmo, &HandChoices::handles);
     keep(m_ownAxes, &HandChoices::ownAxes);
@@ -95,10 +95,6 @@ void Hands::connectActions()
     keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
     connect(m_pressHand, &PressHand::refused, this, &Hands::problem);
     connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
-    connect(&m_document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Model)
-            enable();
-    });
 }
 
 /// The action shows a choice of the person, and is one way to make it.
@@ -112,13 +108,6 @@ void Hands::keep(QAction* action, bool HandChoices::*choice)
     const auto show = [this, action, choice] { action->setChecked(m_settings.choices().*choice); };
     connect(&m_settings, &HandSettings::changed, this, show);
     show();
-}
-
-void Hands::enable()
-{
-    const bool isSimulated = !m_document.isEmpty() && !m_document.content().bodies.empty();
-    for (QAction* action : {m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_forces, m_forceTable})
-        action->setEnabled(isSimulated);
 }
 
 HandPanel* Hands::makePanel()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/frame/workbench.h"
 #include "ui/interaction/hand_settings.h"
 #include "ui/interaction/space_motion.h"
 
@@ -12,21 +13,18 @@ class QMenu;
 
 namespace knead {
 
-class Document;
 class GizmoHand;
 class HandPanel;
 class KeyHand;
 class PressHand;
 class PullHand;
 class SpaceHand;
-class ViewportWidget;
 
 /// All ways in which a person's hands move tools and material in a view, with their actions and their panel.
 class Hands final : public QObject {
     Q_OBJECT
 public:
-    /// @param window in which the actions work
-    Hands(QWidget* window, Document& document, ViewportWidget& view);
+    explicit Hands(const Workbench& bench);
 
     HandPanel* makePanel();
     void addTo(QMenu* menu) const;
@@ -56,11 +54,8 @@ private:
     void makeActions();
     void connectActions();
     void keep(QAction* action, bool HandChoices::*choice);
-    void enable();
 
-    QWidget* m_window;
-    Document& m_document;
-    ViewportWidget& m_view;
+    Workbench m_bench;
     HandSettings m_settings;
     KeyHand* m_keyHand; // owned by the view, as the others
     PressHand* m_pressHand;

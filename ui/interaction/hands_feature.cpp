@@ -1,7 +1,10 @@
 #include "ui/interaction/hands_feature.h"
 
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/document/fold_watch.h"
 #include "ui/document/force_record.h"
+#include "ui/document/tool_kinds.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/text_files.h"
@@ -11,11 +14,16 @@
 #include "ui/modes.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/panel_area.h"
+#include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QMainWindow>
+#include <QMenu>
 #include <QScrollArea>
+
+#include <string_view>
 
 namespace knead {
 
@@ -23,13 +31,49 @@ namespace {
 
 constexpr int plotHeight = 230; // when it is asked for [pixels]
 
+/// "addBlock", "addBall" ...; their data is their place in toolsToAdd().
+QList<QAction*> makeToolActions(QWidget& window)
+{
+    QList<QAction*> actions;
+    for (const ToolKindLook& look : toolsToAdd()) {
+        const QByteArray name = QByteArray("add") + look.name;
+        const char* tip = QT_TRANSLATE_NOOP("Actions", "Put one above the part to push it with");
+        if (look.name == std::string_view("Knife") || look.name == std::string_view("Wire"))
+            tip =
+                QT_TRANSLATE_NOOP("Actions", "Put one above the part to cut it with: the force is the toughness of its "
+                                             "material times the width of the cut");
+        if (look.rollsFreely)
+            tip = QT_TRANSLATE_NOOP("Actions", "Put one above the part to roll it out with: it turns as it is moved");
+        const char* keys = look.kind == ToolKind::box ? "B" : "";
+        QAction* action = makeAction(window, {name, look.name, look.icon, keys, tip});
+        action->setData(static_cast<int>(actions.size()));
+        actions.append(action);
+    }
+    return actions;
+}
+
 } // namespace
+
+HandsFeature::Actions::Actions(QWidget& window)
+    : addTool(makeToolActions(window))
+    , fixFaces(makeSwitch(window, {"fixFaces", QT_TRANSLATE_NOOP("Actions", "Fix faces"), "fix", "X",
+                                   QT_TRANSLATE_NOOP("Actions", "Click faces of the part to hold them in place")}))
+    , remove(makeAction(window, {"remove", QT_TRANSLATE_NOOP("Actions", "Remove"), "delete", "Del",
+                                 QT_TRANSLATE_NOOP("Actions", "Remove the selected tool or fixture")}))
+{
+}
 
 HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_hands(new Hands(&bench.window, bench.document, bench.viewport))
+    , m_actions(bench.window)
+    , m_addTool(*new QMenu(tr("Add tool"), &bench.window))
+    , m_hands(new Hands(bench))
 {
+    m_addTool.setObjectName("addTool");
+    m_addTool.setIcon(icon("add-block"));
+    m_addTool.menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
+    m_addTool.addActions(m_actions.addTool);
     auto* folds = new FoldWatch(bench.document, this);
     new FoldMarks(*folds, bench.viewport);
     connect(folds, &FoldWatch::said, &bench.notices, &Notices::remark);
@@ -39,9 +83,33 @@ HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
             [this] { m_bench.docks.showAtLeast("forcesDock", plotHeight); });
     connect(m_hands->forceTableAction(), &QAction::triggered, this, &HandsFeature::askForForces);
     connect(m_hands, &Hands::problem, this, [this](const QString& sentence) { m_bench.notices.problem(sentence); });
+    connectActions(modes);
     modes.add(m_hands->pressAction());
     modes.add(m_hands->pullAction());
     m_hands->listen(bench.services.spaceMouse);
+}
+
+void HandsFeature::connectActions(Modes& modes)
+{
+    for (QAction* action : m_actions.addTool)
+        connect(action, &QAction::triggered, this, [this, action] { addTool(action->data().toInt()); });
+    connect(m_actions.fixFaces, &QAction::toggled, &m_bench.viewport, &ViewportWidget::setFixing);
+    connect(m_actions.remove, &QAction::triggered, &m_bench.document, &Document::removeSelected);
+    modes.add(m_actions.fixFaces);
+    m_bench.availability.needBodies(m_actions.addTool + QList{m_addTool.menuAction(), m_actions.fixFaces});
+    m_bench.availability.needBodies({m_actions.remove}, [this]() -> std::optional<QString> {
+        const Selection::Kind kind = m_bench.document.selection().kind;
+        if (kind == Selection::Kind::Tool || kind == Selection::Kind::Fixture)
+            return {};
+        return tr("Select a tool or a fixture first.");
+    });
+}
+
+/// @param index in toolsToAdd()
+void HandsFeature::addTool(int index)
+{
+    m_bench.document.addTool(toolsToAdd()[static_cast<std::size_t>(index)]);
+    m_bench.viewport.setFocus(); // the arrow keys shall drive it
 }
 
 void HandsFeature::askForForces()

@@ -2,31 +2,48 @@
 
 #include "ui/frame/workbench.h"
 
+#include <QList>
 #include <QObject>
 
+class QAction;
 class QMenu;
+class QWidget;
 
 namespace knead {
 
 class Hands;
 class Modes;
 
-/// Tools and material by hand, the forces that come of it, and the folds: their panels, and the table of forces as a file. Window
-/// thread only.
+/// Tools and fixtures, tools and material by hand, the forces that come of it, and the folds: their panels, and the table of
+/// forces as a file. Window thread only.
 class HandsFeature final : public QObject {
     Q_OBJECT
 public:
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QList<QAction*> addTool; ///< one per form, in the order of toolsToAdd()
+        QAction* fixFaces;
+        QAction* remove;
+    };
+
     HandsFeature(const Workbench& bench, Modes& modes);
 
+    const Actions& actions() const { return m_actions; }
+    QMenu& addToolMenu() const { return m_addTool; }
     Hands& hands() { return *m_hands; }
 
     /// Writes the forces over time as a table in the background.
     void exportForces(const QString& path);
 
 private:
+    void connectActions(Modes& modes);
+    void addTool(int index);
     void askForForces();
 
     Workbench m_bench;
+    Actions m_actions;
+    QMenu& m_addTool;
     Hands* m_hands;
 };
 

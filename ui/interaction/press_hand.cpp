@@ -74,20 +74,17 @@ bool PressHand::mousePressed(QMouseEvent& event)
 {
     if (m_press && !m_press->isTold)
         return event.button() == Qt::LeftButton;
-    if (!m_isOn || event.button() != Qt::LeftButton || m_view.isLookingBack() || m_document.isEmpty() ||
-        m_document.isGoing() || m_view.isOnCube(event.position()))
+    const std::optional<PickHit> hit = m_isOn ? pressedBody(event) : std::nullopt;
+    if (!hit)
         return false;
-    const PickHit hit = m_view.hitAt(event.position());
-    if (hit.kind != PickHit::Kind::Body)
-        return false;
-    if (const QString reason = whyNotPressed(hit.id); !reason.isEmpty()) {
+    if (const QString reason = whyNotPressed(hit->id); !reason.isEmpty()) {
         emit refused(reason);
         return true;
     }
     const bool makesTimeRun = m_press ? m_press->makesTimeRun : !m_document.isPlaying();
     letGo(); // of one that still goes up
     m_cursor = event.position();
-    begin(hit, makesTimeRun);
+    begin(*hit, makesTimeRun);
     return true;
 }
 

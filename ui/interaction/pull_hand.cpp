@@ -22,13 +22,6 @@ constexpr double largestRate = 3;      // the patch crosses the part so often in
 constexpr double smoothing = 0.5;      // share of the newest force: waves pass through
 constexpr double worthTelling = 0.02;  // of the largest speed
 
-/// Where what lies under the mouse meets the plane through `place` that faces the eye.
-Vec3 onViewPlane(const Ray& ray, const Vec3& place, const Vec3& normal)
-{
-    const double slope = ray.direction.dot(normal);
-    return slope == 0 ? place : Vec3(ray.origin + ((place - ray.origin).dot(normal) / slope) * ray.direction);
-}
-
 } // namespace
 
 PullHand::PullHand(Document& document, ViewportWidget& view, const HandSettings& settings)
@@ -70,14 +63,11 @@ bool PullHand::mousePressed(QMouseEvent& event)
 {
     if (m_pull)
         return event.button() == Qt::LeftButton;
-    if (!m_isOn || event.button() != Qt::LeftButton || m_view.isLookingBack() || m_document.isEmpty() ||
-        m_document.isGoing() || m_view.isOnCube(event.position()))
-        return false;
-    const PickHit hit = m_view.hitAt(event.position());
-    if (hit.kind != PickHit::Kind::Body)
+    const std::optional<PickHit> hit = m_isOn ? pressedBody(event) : std::nullopt;
+    if (!hit)
         return false;
     m_cursor = event.position();
-    begin(hit);
+    begin(*hit);
     return true;
 }
 
@@ -186,7 +176,7 @@ bool PullHand::mouseMoved(QMouseEvent& event)
     m_cursor = event.position();
     if (event.buttons() & Qt::MiddleButton) // the view turns
         return false;
-    m_pull->hand = onViewPlane(m_view.rayAt(m_cursor), m_pull->place, m_view.camera().towardsEye());
+    m_pull->hand = m_view.rayAt(m_cursor).onPlane(m_pull->place, m_view.camera().towardsEye());
     m_overlay->refresh();
     return true;
 }

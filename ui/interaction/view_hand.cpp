@@ -15,6 +15,15 @@ ViewHand::ViewHand(Document& document, ViewportWidget& view)
     view.installEventFilter(this);
 }
 
+std::optional<PickHit> ViewHand::pressedBody(const QMouseEvent& event) const
+{
+    if (event.button() != Qt::LeftButton || m_view.isLookingBack() || m_document.isEmpty() || m_document.isGoing() ||
+        m_view.isOnCube(event.position()))
+        return {};
+    const PickHit hit = m_view.hitAt(event.position());
+    return hit.kind == PickHit::Kind::Body ? std::optional(hit) : std::nullopt;
+}
+
 bool ViewHand::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != &m_view)

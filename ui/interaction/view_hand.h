@@ -1,6 +1,10 @@
 #pragma once
 
+#include "ui/viewport/scene_picker.h"
+
 #include <QObject>
+
+#include <optional>
 
 class QKeyEvent;
 class QMouseEvent;
@@ -28,6 +32,9 @@ protected:
     virtual bool keyPressed(QKeyEvent& /*event*/) { return false; }
     virtual bool keyReleased(QKeyEvent& /*event*/) { return false; }
     virtual void keyboardLost() {} ///< another widget has it now
+
+    /// The place of a body, as it is now, that the left button is pressed on; tools and the cube are the view's.
+    std::optional<PickHit> pressedBody(const QMouseEvent& event) const;
 
     Document& m_document;
     ViewportWidget& m_view;

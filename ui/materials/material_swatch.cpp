@@ -181,4 +181,10 @@ QString materialName(const MaterialPreset& preset)
     return QCoreApplication::translate("MaterialName", preset.name.c_str());
 }
 
+const MaterialField& fieldOf(double Material::*value)
+{
+    const auto& fields = materialFields();
+    return *std::find_if(fields.begin(), fields.end(), [value](const MaterialField& f) { return f.value == value; });
+}
+
 } // namespace knead

@@ -14,4 +14,7 @@ QIcon materialSwatch(const MaterialPreset& preset);
 /// What a material is called in the language of the window; those that the person saved are called as the person said.
 QString materialName(const MaterialPreset& preset);
 
+/// What there is to say of a number of materials.
+const MaterialField& fieldOf(double Material::*value);
+
 } // namespace knead

@@ -1,10 +1,13 @@
 #include "ui/measuring/comparison_feature.h"
 
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/comparison_dialog.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/text_files.h"
 #include "ui/measuring/comparison_report.h"
 #include "ui/measuring/measuring.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -16,12 +19,20 @@
 
 namespace knead {
 
-ComparisonFeature::ComparisonFeature(const Workbench& bench, const Measuring& measuring)
+ComparisonFeature::ComparisonFeature(const Workbench& bench, Measuring& measuring)
     : QObject(&bench.window)
     , m_bench(bench)
     , m_measuring(measuring)
+    , m_action(makeAction(
+          bench.window,
+          {"compareWithOriginal", QT_TRANSLATE_NOOP("Measuring", "Compare with original..."), "compare-two", "Shift+M",
+           QT_TRANSLATE_NOOP("Measuring",
+                             "Largest and mean distance, volume and mass beside the original, and a report")},
+          "Measuring"))
 {
-    connect(measuring.compareAction(), &QAction::triggered, this, &ComparisonFeature::compareWithOriginal);
+    bench.availability.needBodies({m_action});
+    connect(m_action, &QAction::triggered, this, &ComparisonFeature::compareWithOriginal);
+    connect(&measuring.panel(), &MeasurePanel::comparisonWanted, m_action, &QAction::trigger);
 }
 
 void ComparisonFeature::compareWithOriginal()

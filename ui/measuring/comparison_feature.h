@@ -4,6 +4,8 @@
 
 #include <QObject>
 
+class QAction;
+
 namespace knead {
 
 struct Comparison;
@@ -14,7 +16,9 @@ class Measuring;
 class ComparisonFeature final : public QObject {
     Q_OBJECT
 public:
-    ComparisonFeature(const Workbench& bench, const Measuring& measuring);
+    ComparisonFeature(const Workbench& bench, Measuring& measuring);
+
+    QAction* action() const { return m_action; }
 
     /// Writes a report as PDF or HTML in the background; the ending decides.
     void write(const QString& path, const Comparison& comparison);
@@ -27,6 +31,7 @@ private:
 
     Workbench m_bench;
     const Measuring& m_measuring;
+    QAction* m_action;
 };
 
 } // namespace knead

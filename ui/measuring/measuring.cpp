@@ -1,5 +1,6 @@
 #include "ui/measuring/measuring.h"
 
+#include "ui/commands/availability.h"
 #include "ui/document/document.h"
 #include "ui/language/said.h"
 #include "ui/measuring/measurement_words.h"
@@ -13,6 +14,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QMainWindow>
 #include <QMenu>
 #include <QTimer>
 
@@ -24,7 +26,6 @@ namespace {
 
 constexpr int updateTime = 33;    // [ms]
 constexpr int restPerRefresh = 4; // times as long as a refresh takes, the window does something else
-constexpr const char* distanceKey = "M";
 
 QString text(const char* source)
 {
@@ -33,31 +34,32 @@ QString text(const char* source)
 
 } // namespace
 
-Measuring::Measuring(Document& document, ViewportWidget& view, Modes& modes, QWidget* window)
-    : QObject(window)
-    , m_document(document)
-    , m_view(view)
+Measuring::Measuring(const Workbench& bench, Modes& modes)
+    : QObject(&bench.window)
+    , m_document(bench.document)
+    , m_view(bench.viewport)
+    , m_availability(bench.availability)
     , m_modes(modes)
-    , m_list(new MeasurementList(document, this))
-    , m_tool(new PickTool(document, view, this))
-    , m_overlay(new MarksOverlay(view, [&view](const Vec3& place) { return view.widgetPosition(place); }))
+    , m_list(new MeasurementList(m_document, this))
+    , m_tool(new PickTool(m_document, m_view, this))
+    , m_overlay(new MarksOverlay(m_view, [this](const Vec3& place) { return m_view.widgetPosition(place); }))
     , m_soon(new QTimer(this))
 {
-    makeActions(window);
-    m_panel = new MeasurePanel(*m_list, m_actions, window); // only those that measure, as yet
+    makeActions(bench.window);
+    m_panel = new MeasurePanel(*m_list, m_actions, &bench.window); // only those that measure, as yet
     m_soon->setSingleShot(true);
     m_soon->setInterval(updateTime);
     connect(m_soon, &QTimer::timeout, this, &Measuring::refresh);
-    connect(&document, &Document::changed, this, [this](Document::Change what) {
+    connect(&m_document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Model)
-            contentChanged();
+            m_frame = nullptr;
         soon();
     });
-    connect(&view, &ViewportBridge::renderRequested, this, [this] {
+    connect(&m_view, &ViewportBridge::renderRequested, this, [this] {
         if (m_view.shownFrame() != m_frame)
             soon();
     });
-    connect(&view, &ViewportWidget::optionsChanged, this, &Measuring::showMarks); // parts were hidden
+    connect(&m_view, &ViewportWidget::optionsChanged, this, &Measuring::showMarks); // parts were hidden
     connect(m_list, &MeasurementList::changed, this, &Measuring::refresh);
     connect(m_panel, &MeasurePanel::selectionChanged, this, &Measuring::showMarks);
     connect(m_tool, &PickTool::refused, this, &Measuring::refused);
@@ -70,28 +72,22 @@ Measuring::Measuring(Document& document, ViewportWidget& view, Modes& modes, QWi
         m_view.setMode({});
         m_picking->setChecked(false);
     });
-    contentChanged();
 }
 
 Measuring::~Measuring() = default;
 
-void Measuring::makeActions(QWidget* window)
+void Measuring::makeActions(QWidget& window)
 {
     for (const MeasureLook& look : measureLooks()) {
-        auto* action = new QAction(icon(look.icon), text(look.text), window);
+        auto* action = new QAction(icon(look.icon), text(look.text), &window);
         action->setObjectName(look.name);
         action->setToolTip(text(look.tip));
         if (look.kind == MeasureKind::distance)
-            action->setShortcut(QKeySequence(distanceKey));
-        window->addAction(action);
+            action->setShortcut(QKeySequence(Qt::Key_M));
+        window.addAction(action);
         addPickAction(action, look.picks,
                       [this, kind = look.kind](const std::vector<SkinPlace>& places) { m_list->add(kind, places); });
     }
-    m_compare = new QAction(icon("compare-two"), tr("Compare with original..."), window);
-    m_compare->setObjectName("compareWithOriginal");
-    m_compare->setShortcut(QKeySequence("Shift+M"));
-    m_compare->setToolTip(tr("Largest and mean distance, volume and mass beside the original, and a report"));
-    window->addAction(m_compare);
 }
 
 QAction* Measuring::action(MeasureKind kind) const
@@ -108,17 +104,6 @@ void Measuring::fillMenu(QMenu* menu) const
             menu->addSeparator(); // what others pick
         menu->addAction(action);
     }
-    menu->addSeparator();
-    menu->addAction(m_compare);
-}
-
-void Measuring::contentChanged()
-{
-    const bool isSimulated = !m_document.content().bodies.empty();
-    for (QAction* action : m_actions)
-        action->setEnabled(isSimulated);
-    m_compare->setEnabled(isSimulated);
-    m_frame = nullptr;
 }
 
 void Measuring::addPickAction(QAction* action, std::vector<PickWhat> picks, PickTool::Done done)
@@ -126,6 +111,7 @@ void Measuring::addPickAction(QAction* action, std::vector<PickWhat> picks, Pick
     action->setCheckable(true);
     m_actions.append(action);
     m_modes.add(action);
+    m_availability.needBodies({action});
     connect(action, &QAction::toggled, this, [this, action, picks = std::move(picks), done = std::move(done)](bool on) {
         if (!on)
             return m_tool->stop();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/frame/workbench.h"
 #include "ui/measuring/marks_overlay.h"
 #include "ui/measuring/measurement_list.h"
 #include "ui/measuring/pick_tool.h"
@@ -9,7 +10,6 @@
 #include <QPointer>
 
 class QAction;
-class QActionGroup;
 class QMenu;
 class QTimer;
 
@@ -24,7 +24,7 @@ class SideView;
 class Measuring final : public QObject {
     Q_OBJECT
 public:
-    Measuring(Document& document, ViewportWidget& view, Modes& modes, QWidget* window);
+    Measuring(const Workbench& bench, Modes& modes);
     ~Measuring() override;
 
     MeasurementList& list() { return *m_list; }
@@ -32,7 +32,6 @@ public:
     MeasurePanel& panel() { return *m_panel; } ///< belongs to whoever puts it into a layout
     MarksOverlay& overlay() { return *m_overlay; }
     QAction* action(MeasureKind kind) const;
-    QAction* compareAction() const { return m_compare; }
     void fillMenu(QMenu* menu) const;
 
     /// An action with which something else is picked, a mode as well. It goes with those that measure.
@@ -52,8 +51,7 @@ signals:
     void promptChanged();
 
 private:
-    void makeActions(QWidget* window);
-    void contentChanged();
+    void makeActions(QWidget& window);
     void soon();
     void refresh();
     void showMarks();
@@ -62,6 +60,7 @@ private:
 
     Document& m_document;
     ViewportWidget& m_view;
+    Availability& m_availability;
     Modes& m_modes;
     MeasurementList* m_list;
     PickTool* m_tool;
@@ -69,8 +68,7 @@ private:
     MeasurePanel* m_panel;
     QList<QAction*> m_actions;    ///< in the order of MeasureKind
     QAction* m_picking = nullptr; ///< that the tool works for, or did last
-    QAction* m_compare = nullptr;
-    QTimer* m_soon; ///< many changes are shown at once
+    QTimer* m_soon;               ///< many changes are shown at once
     FramePointer m_frame;
     std::vector<OverlayMark> m_others;
     std::vector<QPointer<MarksOverlay>> m_sides; ///< of the views beside the active one

@@ -20,14 +20,13 @@ namespace knead {
 MeasuringFeature::MeasuringFeature(const Workbench& bench, Modes& modes)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_measuring(new Measuring(bench.document, bench.viewport, modes, &bench.window))
+    , m_measuring(new Measuring(bench, modes))
     , m_menu(new QMenu(tr("&Measure"), &bench.window))
 {
     connect(&bench.views, &ViewGrid::sideAdded, m_measuring, &Measuring::addView);
     bench.docks.add("measureDock", tr("Measurements"), &m_measuring->panel());
     connect(&m_measuring->tool(), &PickTool::begun, this, [this] { m_bench.docks.show("measureDock"); });
     connect(&m_measuring->panel(), &MeasurePanel::csvWanted, this, &MeasuringFeature::askForFile);
-    connect(&m_measuring->panel(), &MeasurePanel::comparisonWanted, m_measuring->compareAction(), &QAction::trigger);
     forgetRefusals();
 }
 

@@ -1,5 +1,7 @@
 #include "ui/panels/choice_menu.h"
 
+#include "ui/commands/availability.h"
+
 #include <QActionGroup>
 #include <QComboBox>
 #include <QEvent>
@@ -34,7 +36,7 @@ private:
 
 } // namespace
 
-QMenu* menuOf(QComboBox* choice, const QString& title, QWidget* window)
+QMenu* menuOf(QComboBox* choice, const QString& title, QWidget* window, const QString& whyNot)
 {
     auto* menu = new QMenu(title, window);
     auto* entries = new QActionGroup(menu);
@@ -44,7 +46,7 @@ QMenu* menuOf(QComboBox* choice, const QString& title, QWidget* window)
         action->setCheckable(true);
         const QString tip = choice->itemData(index, Qt::ToolTipRole).toString();
         action->setToolTip(tip.isEmpty() ? choice->toolTip() : tip);
-        action->setProperty("whyDisabled", choice->property("whyDisabled"));
+        Availability::setWhyNot(*action, whyNot);
         entries->addAction(action);
         window->addAction(action);
         QObject::connect(action, &QAction::triggered, choice, [choice, index] {

@@ -148,7 +148,7 @@ void DisplayPanel::showColors(const SceneOptions& options)
 {
     const std::optional<SurfaceQuantity> quantity = options.colors.quantity;
     m_quantity->setCurrentIndex(m_quantity->findData(quantity ? static_cast<int>(*quantity) : -1));
-    m_quantity->setEnabled(m_display.colors()->isEnabled());
+    m_quantity->setEnabled(m_display.section()->isEnabled());
     m_map->setCurrentIndex(m_map->findData(static_cast<int>(options.colors.map)));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_map, m_mapLabel})
         widget->setVisible(quantity && !hasSign(*quantity));

@@ -33,13 +33,6 @@ QString shortLength(double metres)
     return formatReading(metres < rounding ? 0 : metres, Quantity::Length);
 }
 
-/// "-0.14 %"; no sign where rounding leaves nothing.
-QString shareOf(double change)
-{
-    constexpr double smallest = 5e-5;
-    return std::abs(change) < smallest ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * change);
-}
-
 QString formOf(const PartExportReport& part)
 {
     switch (part.form) {
@@ -87,9 +80,9 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
         part.samples == 0
             ? QString()
             : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
-    row->setText(6,
-                 QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
-                                               shareOf(part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0)));
+    row->setText(
+        6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
+                                         formatChange(part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0)));
     row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())

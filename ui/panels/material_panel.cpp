@@ -4,6 +4,7 @@
 #include "core/session/material_facts.h"
 #include "ui/language/said.h"
 #include "ui/materials/material_store.h"
+#include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
@@ -37,12 +38,6 @@ const std::vector<Group>& groups()
         {"Surface", {&Material::friction, &Material::adhesion, &Material::healingTime}},
     };
     return all;
-}
-
-const MaterialField& fieldOf(double Material::*value)
-{
-    const auto& fields = materialFields();
-    return *std::find_if(fields.begin(), fields.end(), [value](const MaterialField& f) { return f.value == value; });
 }
 
 } // namespace

@@ -11,26 +11,21 @@ constexpr int lowerMargin = 24; // to the lower edge of the view [px]
 
 } // namespace
 
-PressButton::PressButton(Document& document, QAction* action, QWidget* view)
+PressButton::PressButton(QAction* action, QWidget* view)
     : QToolButton(view)
-    , m_document(document)
 {
     setObjectName("pressButton");
     setProperty("role", "primary");
     setDefaultAction(action);
     setToolButtonStyle(Qt::ToolButtonTextOnly);
     view->installEventFilter(this);
-    connect(&document, &Document::changed, this, &PressButton::follow);
-    follow(Document::Change::Model);
+    connect(action, &QAction::enabledChanged, this, &PressButton::follow);
+    follow();
 }
 
-void PressButton::follow(Document::Change /*what*/)
+void PressButton::follow()
 {
-    const bool isOffered = m_document.canPressIt();
-    if (defaultAction()->isEnabled() != isOffered)
-        defaultAction()->setEnabled(isOffered);
-    if (isVisibleTo(parentWidget()) == isOffered)
-        return;
+    const bool isOffered = defaultAction()->isEnabled();
     setVisible(isOffered);
     if (isOffered) {
         place();

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "ui/document/document.h"
-
 #include <QToolButton>
 
 class QAction;
@@ -12,17 +10,15 @@ namespace knead {
 class PressButton final : public QToolButton {
     Q_OBJECT
 public:
-    /// @param action that it does, and that it enables with itself
-    PressButton(Document& document, QAction* action, QWidget* view);
+    /// @param action that it does; it is there as long as that can be done
+    PressButton(QAction* action, QWidget* view);
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-    void follow(Document::Change what);
+    void follow();
     void place();
-
-    Document& m_document;
 };
 
 } // namespace knead

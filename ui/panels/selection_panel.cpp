@@ -26,12 +26,6 @@ constexpr double usualReach = 2;      // [a]: what is proposed for "within"
 constexpr double Material::*shown[] = {&Material::youngsModulus, &Material::density, &Material::yieldStress,
                                        &Material::tensileStrength};
 
-const MaterialField& fieldOf(double Material::*value)
-{
-    const auto& fields = materialFields();
-    return *std::find_if(fields.begin(), fields.end(), [value](const MaterialField& f) { return f.value == value; });
-}
-
 } // namespace
 
 SelectionPanel::SelectionPanel(Document& document, const MaterialStore& store, QWidget* parent)

@@ -2,6 +2,7 @@
 
 #include "ui/document/table_kinds.h"
 #include "ui/language/said.h"
+#include "ui/materials/material_swatch.h"
 #include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 
@@ -135,14 +136,12 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
 {
     form->addRow(makeHeading(tr("Damping of all bodies"), this));
     const auto add = [&](double Material::*value, const char* name) {
-        const auto& fields = materialFields();
-        const auto field =
-            std::find_if(fields.begin(), fields.end(), [value](const auto& f) { return f.value == value; });
-        QuantityField* edit = makeField(quantityOfUnit(field->unit), name, this);
-        edit->setRange(field->minimum, field->maximum);
+        const MaterialField& field = fieldOf(value);
+        QuantityField* edit = makeField(quantityOfUnit(field.unit), name, this);
+        edit->setRange(field.minimum, field.maximum);
         connect(edit, &QuantityField::committed, this,
-                [this, value, label = field->name](double number) { commitDamping(value, number, label); });
-        form->addRow(QCoreApplication::translate("MaterialPanel", field->name), edit);
+                [this, value, label = field.name](double number) { commitDamping(value, number, label); });
+        form->addRow(QCoreApplication::translate("MaterialPanel", field.name), edit);
         return edit;
     };
     m_damping = add(&Material::dampingRatio, "allDampingRatio");

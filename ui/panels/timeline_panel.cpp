@@ -1,5 +1,6 @@
 #include "ui/panels/timeline_panel.h"
 
+#include "ui/commands/availability.h"
 #include "ui/document/entry_names.h"
 #include "ui/language/said.h"
 #include "ui/panels/choice_menu.h"
@@ -75,7 +76,6 @@ void TimelinePanel::makeButtons()
         m_rate->addItem(said(Message("TimelinePanel", "%1x").with(QString::number(rate).toStdString())));
     m_rate->setCurrentIndex(usualRate);
     m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
-    m_rate->setProperty("whyDisabled", whyNoFilm());
     m_rate->setFocusPolicy(Qt::ClickFocus);
     m_state = new QLabel(this);
     m_state->setObjectName("filmState");
@@ -102,7 +102,7 @@ QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, co
     auto* action = new QAction(icon(picture), text, this);
     action->setObjectName(name);
     action->setToolTip(tip);
-    action->setProperty("whyDisabled", whyNoFilm());
+    Availability::setWhyNot(*action, whyNoFilm());
     addAction(action);
     auto* button = new QToolButton(this);
     button->setObjectName(name);
@@ -260,7 +260,7 @@ void TimelinePanel::branchHere()
 
 QMenu* TimelinePanel::newRateMenu(QWidget* window) const
 {
-    return menuOf(m_rate, tr("Speed of the film"), window);
+    return menuOf(m_rate, tr("Speed of the film"), window, whyNoFilm());
 }
 
 void TimelinePanel::stopLooking()

@@ -1,6 +1,6 @@
 #include "ui/preferences/preferences_feature.h"
 
-#include "ui/actions.h"
+#include "ui/commands/make_action.h"
 #include "ui/commands/shortcuts.h"
 #include "ui/language/language.h"
 #include "ui/preferences/system_theme.h"
@@ -9,6 +9,7 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QMainWindow>
 
@@ -24,22 +25,39 @@ Preferences PreferencesFeature::begin()
     return now;
 }
 
-PreferencesFeature::PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts,
-                                       Preferences now)
+PreferencesFeature::Actions::Actions(QWidget& window)
+    : preferences(makeAction(window, {"preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences..."), nullptr, "Ctrl+,",
+                                      QT_TRANSLATE_NOOP("Actions", "Theme, language, units, memory, files, view")}))
+    , shortcuts(makeAction(window, {"shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts..."), nullptr, "",
+                                    QT_TRANSLATE_NOOP("Actions", "Give commands other keys")}))
+    , lightTheme(makeSwitch(window, {"lightTheme", QT_TRANSLATE_NOOP("Actions", "Light")}))
+    , darkTheme(makeSwitch(window, {"darkTheme", QT_TRANSLATE_NOOP("Actions", "Dark")}))
+    , systemTheme(makeSwitch(window, {"systemTheme", QT_TRANSLATE_NOOP("Actions", "As the system")}))
+{
+    auto* themes = new QActionGroup(&window);
+    for (QAction* theme : {lightTheme, darkTheme, systemTheme})
+        themes->addAction(theme);
+}
+
+PreferencesFeature::PreferencesFeature(const Workbench& bench, Preferences now)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_actions(actions)
-    , m_shortcuts(shortcuts)
+    , m_actions(bench.window)
     , m_system(new SystemTheme(this))
     , m_now(std::move(now))
 {
     const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
-    on(actions.preferences, [this] { showDialog(PreferencesDialog::Page::General); });
-    on(actions.shortcuts, [this] { showDialog(PreferencesDialog::Page::Keys); });
-    on(actions.lightTheme, [this] { chooseLook(Preferences::Look::Light); });
-    on(actions.darkTheme, [this] { chooseLook(Preferences::Look::Dark); });
-    on(actions.systemTheme, [this] { chooseLook(Preferences::Look::System); });
+    on(m_actions.preferences, [this] { showDialog(PreferencesDialog::Page::General); });
+    on(m_actions.shortcuts, [this] { showDialog(PreferencesDialog::Page::Keys); });
+    on(m_actions.lightTheme, [this] { chooseLook(Preferences::Look::Light); });
+    on(m_actions.darkTheme, [this] { chooseLook(Preferences::Look::Dark); });
+    on(m_actions.systemTheme, [this] { chooseLook(Preferences::Look::System); });
     connect(m_system, &SystemTheme::changed, this, &PreferencesFeature::applyLook);
+}
+
+void PreferencesFeature::takeKeys()
+{
+    m_shortcuts = new Shortcuts(m_bench.window);
 }
 
 /// The dialog asks for the window's actions to the end.
@@ -51,7 +69,7 @@ PreferencesFeature::~PreferencesFeature()
 void PreferencesFeature::showDialog(PreferencesDialog::Page page)
 {
     if (m_dialog == nullptr) {
-        m_dialog = new PreferencesDialog(readPreferences(), m_shortcuts, m_bench.window);
+        m_dialog = new PreferencesDialog(readPreferences(), *m_shortcuts, m_bench.window);
         m_dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(m_dialog, &PreferencesDialog::changed, this, &PreferencesFeature::set);
     }

@@ -7,9 +7,10 @@
 #include <QObject>
 #include <QPointer>
 
+class QAction;
+
 namespace knead {
 
-struct Actions;
 class Shortcuts;
 class SystemTheme;
 
@@ -20,9 +21,23 @@ public:
     /// What must hold before anything is said or made: language and unit. @return the preferences as they are kept
     static Preferences begin();
 
-    PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts, Preferences now);
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QAction* preferences;
+        QAction* shortcuts;
+        QAction* lightTheme;
+        QAction* darkTheme;
+        QAction* systemTheme;
+    };
+
+    PreferencesFeature(const Workbench& bench, Preferences now);
     ~PreferencesFeature() override;
 
+    /// Once all actions of the window are there: what keys they have, and which a person gave them.
+    void takeKeys();
+
+    const Actions& actions() const { return m_actions; }
     const Preferences& now() const { return m_now; }
     /// Keeps them, and does as they say at once.
     void set(const Preferences& wanted);
@@ -46,8 +61,8 @@ private:
     void choose(const Preferences& wanted);
 
     Workbench m_bench;
-    const Actions& m_actions;
-    Shortcuts& m_shortcuts;
+    Actions m_actions;
+    Shortcuts* m_shortcuts = nullptr;
     SystemTheme* m_system;
     Preferences m_now;
     QPointer<PreferencesDialog> m_dialog;

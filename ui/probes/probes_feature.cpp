@@ -41,7 +41,6 @@ QAction* ProbesFeature::newPlaceAction(Measuring& measuring)
     m_bench.window.addAction(place);
     measuring.addPickAction(place, {PickWhat::place},
                             [this](const std::vector<SkinPlace>& places) { m_probes->add(places.front()); });
-    place->setEnabled(false);
     connect(place, &QAction::toggled, this, [this](bool on) {
         if (on)
             m_bench.docks.show("probeDock");

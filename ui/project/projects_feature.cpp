@@ -1,7 +1,8 @@
 #include "ui/project/projects_feature.h"
 
 #include "core/session/filled_model.h"
-#include "ui/actions.h"
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
 #include "ui/panels/home_page.h"
@@ -31,16 +32,28 @@ constexpr int pictureDelay = 1500; // until a part that was opened is in view [m
 
 } // namespace
 
-ProjectsFeature::ProjectsFeature(const Workbench& bench, const Actions& actions, ModelTree& tree, HomePage& home,
-                                 QMenu& recent)
+ProjectsFeature::Actions::Actions(QWidget& window)
+    : save(makeAction(window, {"save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
+                               QT_TRANSLATE_NOOP("Actions", "Keep part, history and view in a project file")}))
+    , saveAs(makeAction(window, {"saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as..."), nullptr, "Ctrl+Shift+S",
+                                 QT_TRANSLATE_NOOP("Actions", "Keep the project in another file and go on with that")}))
+    , recover(makeAction(window, {"recover", QT_TRANSLATE_NOOP("Actions", "Recover &unsaved work..."), nullptr, "",
+                                  QT_TRANSLATE_NOOP("Actions", "Look for work that was not saved when Knead ended")}))
+{
+}
+
+ProjectsFeature::ProjectsFeature(const Workbench& bench, ModelTree& tree, HomePage& home, QAction& perspective)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_actions(bench.window)
     , m_home(home)
-    , m_recent(recent)
+    , m_recent(*new QMenu(tr("Open &recent"), &bench.window))
     , m_keeper(std::make_unique<ProjectKeeper>(
           bench.services.projects, bench.services.packing,
           ProjectKeeper::Window{&bench.window, bench.document, bench.tasks, bench.viewport, tree}))
 {
+    m_recent.setObjectName("recentMenu");
+    m_recent.setToolTipsVisible(true);
     const ProjectKeeper* keeper = m_keeper.get();
     connect(keeper, &ProjectKeeper::changed, this, &ProjectsFeature::showTitle);
     connect(keeper, &ProjectKeeper::problem, &bench.notices, &Notices::problem);
@@ -50,14 +63,15 @@ ProjectsFeature::ProjectsFeature(const Workbench& bench, const Actions& actions,
         m_bench.window.statusBar()->showMessage(sentence, shownTime);
     });
     connect(keeper, &ProjectKeeper::recentChanged, this, &ProjectsFeature::listRecent);
-    connect(keeper, &ProjectKeeper::perspectiveRestored, actions.perspective, &QAction::setChecked);
+    connect(keeper, &ProjectKeeper::perspectiveRestored, &perspective, &QAction::setChecked);
     connect(keeper, &ProjectKeeper::recoveriesWaiting, &home, &HomePage::showWaiting);
     connect(keeper, &ProjectKeeper::shown, this, [this] { keepPicture(m_keeper->path()); });
-    connect(actions.save, &QAction::triggered, this, [this] { m_keeper->save(); });
-    connect(actions.saveAs, &QAction::triggered, this, [this] { m_keeper->saveAs(); });
-    connect(actions.recover, &QAction::triggered, this, [this] { m_keeper->offerRecoveries(true); });
+    connect(m_actions.save, &QAction::triggered, this, [this] { m_keeper->save(); });
+    connect(m_actions.saveAs, &QAction::triggered, this, [this] { m_keeper->saveAs(); });
+    connect(m_actions.recover, &QAction::triggered, this, [this] { m_keeper->offerRecoveries(true); });
     connect(&home, &HomePage::recoverClicked, this, [this] { m_keeper->offerRecoveries(true); });
     connect(&home, &HomePage::fileChosen, this, &ProjectsFeature::openRecent);
+    bench.availability.needPart({m_actions.save, m_actions.saveAs});
     listRecent();
 }
 

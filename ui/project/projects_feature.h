@@ -8,11 +8,12 @@
 #include <functional>
 #include <memory>
 
+class QAction;
 class QMenu;
+class QWidget;
 
 namespace knead {
 
-struct Actions;
 struct PreparedModel;
 class HomePage;
 class ModelTree;
@@ -22,10 +23,20 @@ class ProjectKeeper;
 class ProjectsFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @param recent lists the files that were open lately, as the first page does
-    ProjectsFeature(const Workbench& bench, const Actions& actions, ModelTree& tree, HomePage& home, QMenu& recent);
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QAction* save;
+        QAction* saveAs;
+        QAction* recover;
+    };
+
+    /// @param perspective is switched as it is in a project
+    ProjectsFeature(const Workbench& bench, ModelTree& tree, HomePage& home, QAction& perspective);
     ~ProjectsFeature() override;
 
+    const Actions& actions() const { return m_actions; }
+    QMenu& recentMenu() const { return m_recent; } ///< the files that were open lately, as the first page has them
     ProjectKeeper& keeper() { return *m_keeper; }
 
     /// @return whether they were a matter of projects
@@ -51,6 +62,7 @@ private:
     void keepPicture(const QString& path);
 
     Workbench m_bench;
+    Actions m_actions;
     HomePage& m_home;
     QMenu& m_recent;
     std::unique_ptr<ProjectKeeper> m_keeper;

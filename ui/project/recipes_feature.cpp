@@ -1,6 +1,8 @@
 #include "ui/project/recipes_feature.h"
 
 #include "core/message/message.h"
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
@@ -17,12 +19,17 @@
 
 namespace knead {
 
-RecipesFeature::RecipesFeature(const Workbench& bench, ProjectsFeature& projects, const QAction& exportAction)
+RecipesFeature::RecipesFeature(const Workbench& bench, ProjectsFeature& projects)
     : QObject(&bench.window)
     , m_bench(bench)
     , m_projects(projects)
+    , m_export(makeAction(
+          bench.window,
+          {"exportRecipe", QT_TRANSLATE_NOOP("Actions", "Export as &recipe..."), nullptr, "",
+           QT_TRANSLATE_NOOP("Actions", "Write what was done as a recipe, to be read, changed and carried out again")}))
 {
-    connect(&exportAction, &QAction::triggered, this, &RecipesFeature::askForRecipe);
+    bench.availability.needBodies({m_export});
+    connect(m_export, &QAction::triggered, this, &RecipesFeature::askForRecipe);
 }
 
 bool RecipesFeature::opened(const QStringList& paths)

@@ -14,7 +14,9 @@ class ProjectsFeature;
 class RecipesFeature final : public QObject {
     Q_OBJECT
 public:
-    RecipesFeature(const Workbench& bench, ProjectsFeature& projects, const QAction& exportAction);
+    RecipesFeature(const Workbench& bench, ProjectsFeature& projects);
+
+    QAction* exportAction() const { return m_export; }
 
     /// @return whether they were a matter of recipes
     bool opened(const QStringList& paths);
@@ -28,6 +30,7 @@ private:
 
     Workbench m_bench;
     ProjectsFeature& m_projects;
+    QAction* m_export;
 };
 
 } // namespace knead

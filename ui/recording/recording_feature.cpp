@@ -1,6 +1,8 @@
 #include "ui/recording/recording_feature.h"
 
 #include "core/message/message.h"
+#include "ui/commands/availability.h"
+#include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/frame/notices.h"
@@ -18,12 +20,23 @@
 
 namespace knead {
 
-RecordingFeature::RecordingFeature(const Workbench& bench, const QAction& video, const QAction& pictures)
+RecordingFeature::Actions::Actions(QWidget& window)
+    : video(makeAction(window,
+                       {"recordVideo", QT_TRANSLATE_NOOP("Actions", "Record &video..."), "record", "",
+                        QT_TRANSLATE_NOOP("Actions", "Make a video of what was simulated, as the view shows it")}))
+    , pictures(makeAction(window, {"recordPictures", QT_TRANSLATE_NOOP("Actions", "Record p&ictures..."), nullptr, "",
+                                   QT_TRANSLATE_NOOP("Actions", "Write what was simulated as a sequence of pictures")}))
+{
+}
+
+RecordingFeature::RecordingFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
+    , m_actions(bench.window)
 {
-    connect(&video, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
-    connect(&pictures, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::pictures); });
+    bench.availability.needBodies({m_actions.video, m_actions.pictures});
+    connect(m_actions.video, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
+    connect(m_actions.pictures, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::pictures); });
 }
 
 void RecordingFeature::askForRecording(Recording::Kind kind)
@@ -49,13 +62,11 @@ void RecordingFeature::askForRecording(Recording::Kind kind)
 void RecordingFeature::askForPlace(const Recording& recording)
 {
     const bool isVideo = recording.kind == Recording::Kind::video;
-    const QString proposed =
-        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
     const FileQuestion question{.name = "recordFileDialog",
                                 .title = isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
                                 .filters = {isVideo ? tr("Video (*.ogv)") : tr("Folder (*)")},
                                 .key = "record/folder",
-                                .file = proposed + (isVideo ? ".ogv" : "-pictures")};
+                                .file = m_bench.nameForFile(isVideo ? ".ogv" : "-pictures")};
     askForFileToWrite(m_bench.window, question, [this, recording](const QString& path) { record(path, recording); });
 }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 
 class QAction;
+class QWidget;
 
 namespace knead {
 
@@ -13,7 +14,16 @@ namespace knead {
 class RecordingFeature final : public QObject {
     Q_OBJECT
 public:
-    RecordingFeature(const Workbench& bench, const QAction& video, const QAction& pictures);
+    struct Actions {
+        explicit Actions(QWidget& window);
+
+        QAction* video;
+        QAction* pictures;
+    };
+
+    explicit RecordingFeature(const Workbench& bench);
+
+    const Actions& actions() const { return m_actions; }
 
     /// Makes a video or pictures in the background.
     /// @param path of the file, or of the folder of the pictures
@@ -24,6 +34,7 @@ private:
     void askForPlace(const Recording& recording);
 
     Workbench m_bench;
+    Actions m_actions;
 };
 
 } // namespace knead

@@ -1,10 +1,11 @@
 #include "ui/selection/selection_feature.h"
 
 #include "core/session/region_contents.h"
-#include "ui/actions.h"
+#include "ui/commands/availability.h"
 #include "ui/display.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
+#include "ui/interaction/hands_feature.h"
 #include "ui/language/said.h"
 #include "ui/modes.h"
 #include "ui/panels/model_panel.h"
@@ -12,6 +13,7 @@
 #include "ui/panels/panel_area.h"
 #include "ui/panels/selection_panel.h"
 #include "ui/selection/selection_model.h"
+#include "ui/simulation/simulation_feature.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -21,6 +23,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QToolBar>
 
 #include <numeric>
@@ -65,12 +68,13 @@ Region::Items allOf(Level level, const FilledModel& content, const FilledBody& b
 SelectionFeature::SelectionFeature(const Workbench& bench, const Parts& parts)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_windowActions(parts.actions)
+    , m_simulation(parts.simulation)
+    , m_hands(parts.hands)
     , m_modes(parts.modes)
     , m_tree(parts.tree)
     , m_properties(parts.properties)
     , m_display(parts.display)
-    , m_actions(&bench.window)
+    , m_actions(bench.window)
     , m_panel(new SelectionPanel(bench.document, parts.materials))
     , m_reading(new QLabel(&bench.window))
 {
@@ -78,8 +82,10 @@ SelectionFeature::SelectionFeature(const Workbench& bench, const Parts& parts)
     m_reading->setObjectName("selectionReading");
     m_reading->setContentsMargins(8, 0, 0, 0);
     m_reading->hide();
+    bench.window.statusBar()->insertWidget(0, m_reading);
     connectSelection();
     connectTree();
+    sayWhyNot();
 }
 
 QMenu* SelectionFeature::newMenu()
@@ -150,10 +156,8 @@ void SelectionFeature::connectSelection()
     connect(s.glue, &QAction::triggered, m_panel, &SelectionPanel::glue);
     connect(m_panel, &SelectionPanel::withinRequested, this, &SelectionFeature::selectWithin);
     connect(&m_bench.document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Model) {
-            m_actions.setDocumentOpen(true, !m_bench.document.content().bodies.empty());
+        if (what == Document::Change::Model)
             showSelected();
-        }
         if (what == Document::Change::Model || what == Document::Change::Selection)
             showLock();
     });
@@ -169,6 +173,7 @@ void SelectionFeature::connectTree()
     connect(s.rename, &QAction::triggered, &m_tree, &ModelTree::renameCurrent);
     connect(s.color, &QAction::triggered, &m_tree, &ModelTree::colorSelected);
     connect(s.uncolor, &QAction::triggered, &m_tree, &ModelTree::uncolorSelected);
+    connect(s.hide, &QAction::triggered, &m_tree, &ModelTree::toggleSelectedBody);
     connect(s.lock, &QAction::triggered, &m_tree, &ModelTree::lockSelected);
     connect(s.group, &QAction::triggered, &m_tree, &ModelTree::groupSelected);
     connect(s.ungroup, &QAction::triggered, &m_tree, &ModelTree::ungroupSelected);
@@ -178,11 +183,30 @@ void SelectionFeature::connectTree()
         m_bench.docks.show("modelDock");
         qobject_cast<ModelPanel*>(m_tree.parentWidget())->beginSearch();
     });
+    connect(&m_tree, &ModelTree::hiddenChanged, this, [this](const std::set<std::size_t>& hiddenParts) {
+        SceneOptions options = m_bench.viewport.options();
+        options.hiddenParts = hiddenParts;
+        m_bench.viewport.setOptions(options);
+    });
     connect(&m_tree, &ModelTree::toolClicked, &m_bench.viewport,
             [this] { m_bench.viewport.setFocus(); }); // whose keys drive it
     connect(&m_tree, &ModelTree::problem, this, [this](const QString& sentence) { m_bench.notices.problem(sentence); });
     connect(&m_bench.document.notes(), &ModelNotes::changed, this, &SelectionFeature::showLock);
     m_tree.setMenu([this](QMenu& menu, TreeItem type) { fillTreeMenu(menu, static_cast<int>(type)); });
+}
+
+void SelectionFeature::sayWhyNot()
+{
+    Availability& when = m_bench.availability;
+    const SelectionActions& s = m_actions;
+    when.needPart({s.rename, s.color, s.uncolor, s.group, s.ungroup, s.isolate, s.showAll, s.search});
+    when.needBodies(s.levels + s.shapes +
+                    QList{s.through, s.smallerBrush, s.largerBrush, s.all, s.none, s.lock, s.hide});
+    when.needBodies({s.within, s.keep, s.fix, s.renormalize, s.glue}, [this]() -> std::optional<QString> {
+        if (m_bench.document.selected().region().isEmpty())
+            return tr("Select something first.");
+        return {};
+    });
 }
 
 /// @param type a TreeItem
@@ -193,11 +217,11 @@ void SelectionFeature::fillTreeMenu(QMenu& menu, int type) const
     case TreeItem::Part:
         menu.addActions({s.rename, s.color, s.uncolor});
         menu.addSeparator();
-        menu.addActions({m_windowActions.hide, s.isolate, s.showAll});
+        menu.addActions({s.hide, s.isolate, s.showAll});
         menu.addSeparator();
         menu.addActions({s.lock, s.group, s.ungroup});
         menu.addSeparator();
-        menu.addActions({s.fix, m_windowActions.renormalize, s.glue, s.keep});
+        menu.addActions({s.fix, m_simulation.actions().renormalize, s.glue, s.keep});
         break;
     case TreeItem::Surface:
         menu.addActions({s.rename, s.color, s.uncolor, s.showAll});
@@ -205,14 +229,14 @@ void SelectionFeature::fillTreeMenu(QMenu& menu, int type) const
     case TreeItem::Group:
         menu.addActions({s.rename, s.ungroup});
         menu.addSeparator();
-        menu.addActions({m_windowActions.hide, s.isolate, s.showAll, s.lock});
+        menu.addActions({s.hide, s.isolate, s.showAll, s.lock});
         break;
     case TreeItem::Assembly:
-        menu.addActions({m_windowActions.hide, s.isolate, s.showAll, s.lock, s.group});
+        menu.addActions({s.hide, s.isolate, s.showAll, s.lock, s.group});
         break;
     case TreeItem::Tool:
     case TreeItem::Fixture:
-        menu.addActions({s.rename, s.lock, m_windowActions.remove});
+        menu.addActions({s.rename, s.lock, m_hands.actions().remove});
         break;
     case TreeItem::Set:
         menu.addSeparator();
@@ -222,7 +246,7 @@ void SelectionFeature::fillTreeMenu(QMenu& menu, int type) const
         menu.addActions({s.showAll, s.search});
         break;
     case TreeItem::Tools:
-        menu.addActions(m_windowActions.addTool);
+        menu.addActions(m_hands.actions().addTool);
         break;
     case TreeItem::Fixtures:
     case TreeItem::Sets:
@@ -246,7 +270,7 @@ void SelectionFeature::showLevel()
 void SelectionFeature::showSelected()
 {
     const bool isAnything = !m_bench.document.selected().region().isEmpty() && !m_bench.document.isEmpty();
-    m_actions.setSelected(isAnything);
+    m_bench.availability.update();
     m_reading->setVisible(isAnything);
     showLock();
 }

@@ -12,12 +12,13 @@ class QToolBar;
 
 namespace knead {
 
-struct Actions;
 class Display;
+class HandsFeature;
 class MaterialStore;
 class ModelTree;
 class Modes;
 class SelectionPanel;
+class SimulationFeature;
 
 /// Selecting, and what is done with what is selected and with lines of the model tree. Window thread only.
 class SelectionFeature final : public QObject {
@@ -25,7 +26,8 @@ class SelectionFeature final : public QObject {
 public:
     /// What the window has beside the workbench that this has to do with.
     struct Parts {
-        const Actions& actions;
+        const SimulationFeature& simulation;
+        const HandsFeature& hands;
         Modes& modes;
         ModelTree& tree;
         QStackedWidget& properties; ///< gets a page, in the order of Selection::Kind
@@ -35,13 +37,13 @@ public:
     SelectionFeature(const Workbench& bench, const Parts& parts);
 
     const SelectionActions& actions() const { return m_actions; }
-    QMenu* newMenu();                        ///< of the menu bar
-    QToolBar* newBar(QWidget* parent);       ///< for beside the view, where the hand is
-    QLabel& reading() { return *m_reading; } ///< how much is selected, for the status bar
+    QMenu* newMenu();                  ///< of the menu bar
+    QToolBar* newBar(QWidget* parent); ///< for beside the view, where the hand is
 
 private:
     void connectSelection();
     void connectTree();
+    void sayWhyNot();
     void fillTreeMenu(QMenu& menu, int type) const;
     void showLevel();
     void showSelected();
@@ -50,14 +52,15 @@ private:
     void selectWithin(double distance);
 
     Workbench m_bench;
-    const Actions& m_windowActions;
+    const SimulationFeature& m_simulation;
+    const HandsFeature& m_hands;
     Modes& m_modes;
     ModelTree& m_tree;
     QStackedWidget& m_properties;
     Display& m_display;
     SelectionActions m_actions;
     SelectionPanel* m_panel;
-    QLabel* m_reading;
+    QLabel* m_reading; ///< how much is selected, in the status bar
 };
 
 } // namespace knead

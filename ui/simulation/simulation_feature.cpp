@@ -1,6 +1,6 @@
 #include "ui/simulation/simulation_feature.h"
 
-#include "ui/actions.h"
+#include "ui/commands/availability.h"
 #include "ui/document/run_remarks.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
@@ -9,12 +9,15 @@
 #include "ui/language/said.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/panels/press_button.h"
 #include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/viewport/view_grid.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QMainWindow>
+#include <QMenu>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStatusBar>
@@ -58,14 +61,13 @@ void dampMore(Document& document)
 
 } // namespace
 
-SimulationFeature::SimulationFeature(const Workbench& bench, Actions& actions, StatusReadings& readings,
-                                     ImportFeature& imports)
+SimulationFeature::SimulationFeature(const Workbench& bench, StatusReadings& readings, ImportFeature& imports)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_actions(actions)
+    , m_actions(bench.window)
     , m_readings(readings)
     , m_imports(imports)
-    , m_panel(new SimulationPanel(bench.document, actions.keepUp, bench.services.limitThreads != nullptr))
+    , m_panel(new SimulationPanel(bench.document, m_actions.keepUp, bench.services.limitThreads != nullptr))
     , m_performance(new PerformancePanel(&bench.window))
 {
     bench.docks.add("simulationDock", tr("Simulation"), scrolled(m_panel));
@@ -76,10 +78,15 @@ SimulationFeature::SimulationFeature(const Workbench& bench, Actions& actions, S
             m_readings.show(*frame->snapshot);
     });
     connect(m_panel, &SimulationPanel::threadsChosen, this, &SimulationFeature::threadsChosen);
+    new PressButton(m_actions.pressIt, &bench.views);
     auto* remarks = new RunRemarks(bench.document, this);
     connect(remarks, &RunRemarks::said, &bench.notices, &Notices::remark);
     connect(&bench.notices, &Notices::otherClicked, &bench.document, &Document::reset);
-    connect(&bench.document, &Document::stopping, this, [this] { showSteppable(false); });
+    connect(&bench.document, &Document::changed, this, &SimulationFeature::documentChanged);
+    connect(&bench.document, &Document::stopping, this, [this] {
+        showSteppable(false);
+        m_bench.availability.update();
+    });
     connect(&bench.document, &Document::recipeEnded, &bench.notices, &Notices::note);
     connect(&bench.document, &Document::balanced, this, &SimulationFeature::showBalance);
     connect(&bench.document, &Document::notBalanced, this, [this](const QString& sentence) {
@@ -89,11 +96,12 @@ SimulationFeature::SimulationFeature(const Workbench& bench, Actions& actions, S
     connect(&bench.document, &Document::notice, this,
             [this](const QString& sentence) { m_bench.notices.problem(sentence); });
     connectActions();
+    sayWhyNot();
 }
 
 void SimulationFeature::connectActions()
 {
-    const Actions& a = m_actions;
+    const SimulationActions& a = m_actions;
     Document* document = &m_bench.document;
     connect(a.undo, &QAction::triggered, document, &Document::undo);
     connect(a.redo, &QAction::triggered, document, &Document::redo);
@@ -107,7 +115,6 @@ void SimulationFeature::connectActions()
     connect(a.floor, &QAction::toggled, this, &SimulationFeature::setFloor);
     connect(a.renormalize, &QAction::triggered, document, &Document::renormalize);
     connect(a.refillNow, &QAction::triggered, document, &Document::refillNow);
-    connect(a.remove, &QAction::triggered, document, &Document::removeSelected);
     connect(a.cutHere, &QAction::triggered, this, [this] {
         if (const std::optional<CutPlane>& plane = m_bench.viewport.options().section.plane)
             m_bench.document.cutAlong(plane->offset * plane->normal, plane->normal);
@@ -116,9 +123,50 @@ void SimulationFeature::connectActions()
     });
 }
 
+void SimulationFeature::sayWhyNot()
+{
+    using Why = std::optional<QString>;
+    Availability& when = m_bench.availability;
+    const SimulationActions& a = m_actions;
+    when.add({a.undo}, [this] { return m_undoes ? Why() : tr("There is nothing to undo."); });
+    when.add({a.redo}, [this] { return m_redoes ? Why() : tr("There is nothing to redo."); });
+    when.needBodies(
+        {a.play, a.findBalance, a.reset, a.gravity, a.floor, a.keepUp, a.renormalize, a.refillNow, a.cutHere});
+    when.needBodies({a.step}, [this] { return m_isSteppable ? Why() : tr("Pause first."); });
+    when.needBodies({a.pressIt}, [this] {
+        return m_bench.document.canPressIt() ? Why()
+                                             : tr("Only a part to which nothing was done yet is pressed like this.");
+    });
+}
+
+void SimulationFeature::documentChanged(Document::Change what)
+{
+    if (what == Document::Change::Frame)
+        showFrame();
+    if (what == Document::Change::Moment)
+        showSurroundings();
+    if (what == Document::Change::Moment || what == Document::Change::History)
+        showHistory();
+}
+
+/// Menu and buttons say what they would undo and redo.
+void SimulationFeature::showHistory()
+{
+    m_undoes = m_bench.document.undoName();
+    m_redoes = m_bench.document.redoName();
+    const auto show = [](QAction* action, const QString& verb, const std::optional<QString>& name) {
+        action->setText(name ? tr("%1 \"%2\"").arg(verb, *name) : verb);
+    };
+    show(m_actions.undo, tr("Undo"), m_undoes);
+    show(m_actions.redo, tr("Redo"), m_redoes);
+}
+
 QList<QMenu*> SimulationFeature::newMenus() const
 {
-    return m_panel->newMenus(&m_bench.window);
+    const QList<QMenu*> menus = m_panel->newMenus(&m_bench.window);
+    for (const QMenu* menu : menus)
+        m_bench.availability.needBodies(menu->actions());
+    return menus;
 }
 
 void SimulationFeature::showThreads(int threads)
@@ -197,7 +245,7 @@ void SimulationFeature::showSurroundings()
 /// Before a frame shows it: who pauses and steps at once does not wait for one.
 void SimulationFeature::showSteppable(bool isPlaying)
 {
-    m_actions.step->setEnabled(!isPlaying && !m_bench.document.content().bodies.empty());
+    m_isSteppable = !isPlaying;
 }
 
 void SimulationFeature::showFrame()

@@ -4,16 +4,17 @@
 #include "core/message/message.h"
 #include "core/simulation/snapshot.h"
 #include "ui/frame/workbench.h"
+#include "ui/simulation/simulation_actions.h"
 
 #include <QObject>
 
+#include <optional>
 #include <utility>
 
 class QMenu;
 
 namespace knead {
 
-struct Actions;
 class ImportFeature;
 class PerformancePanel;
 class SimulationPanel;
@@ -24,13 +25,14 @@ class SimulationFeature final : public QObject {
     Q_OBJECT
 public:
     /// @param imports fills bodies anew where that is offered
-    SimulationFeature(const Workbench& bench, Actions& actions, StatusReadings& readings, ImportFeature& imports);
+    SimulationFeature(const Workbench& bench, StatusReadings& readings, ImportFeature& imports);
+
+    const SimulationActions& actions() const { return m_actions; }
 
     QList<QMenu*> newMenus() const; ///< of its choices
     void showThreads(int threads);  ///< that compute
     void showFrame();               ///< the document has another one
     void showSurroundings();        ///< the switches say what the simulation has
-    void showSteppable(bool isPlaying);
     /// Too few cells across walls, with a filling that has enough.
     void showWalls(const SpacingAssessment& fineness);
 
@@ -39,6 +41,10 @@ signals:
 
 private:
     void connectActions();
+    void sayWhyNot();
+    void documentChanged(Document::Change what);
+    void showSteppable(bool isPlaying);
+    void showHistory();
     void showHealth(const Health& health);
     void showNotice(const Message& notice);
     void showBalance(const QString& sentence);
@@ -46,16 +52,19 @@ private:
     void setFloor(bool on);
 
     Workbench m_bench;
-    Actions& m_actions;
+    SimulationActions m_actions;
     StatusReadings& m_readings;
     ImportFeature& m_imports;
     SimulationPanel* m_panel;
     PerformancePanel* m_performance;
     std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
-    Message m_shownHealth;                ///< message last put into the banner
-    QString m_shownImbalance;             ///< why no balance was found last
-    QString m_shownWalls;                 ///< sentence of the present filling; empty: its walls are well
-    Message m_shownNotice;                ///< last said
+    bool m_isSteppable = true;            ///< time stands still
+    std::optional<QString> m_undoes;      ///< name of what would be undone
+    std::optional<QString> m_redoes;
+    Message m_shownHealth;    ///< message last put into the banner
+    QString m_shownImbalance; ///< why no balance was found last
+    QString m_shownWalls;     ///< sentence of the present filling; empty: its walls are well
+    Message m_shownNotice;    ///< last said
 };
 
 } // namespace knead

@@ -10,6 +10,13 @@ namespace knead {
 struct Ray {
     Vec3 origin = Vec3::Zero();     ///< [m]
     Vec3 direction = Vec3::UnitX(); ///< unit
+
+    /// Where it meets the plane through a place; where it goes along the plane: that place.
+    Vec3 onPlane(const Vec3& place, const Vec3& normal) const
+    {
+        const double slope = direction.dot(normal);
+        return slope == 0 ? place : Vec3(origin + ((place - origin).dot(normal) / slope) * direction);
+    }
 };
 
 /// A place in a window of pixels, y downwards.

@@ -1,22 +1,17 @@
 #include "ui/viewport/connection_actor.h"
 
+#include "ui/viewport/drawn_points.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include "core/aggregate/pieces.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkNew.h>
 #include <vtkPlaneCollection.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace knead {
 
@@ -40,32 +35,19 @@ void setPoints(vtkPoints* points, std::span<const Vec3> places)
 
 } // namespace
 
-struct ConnectionActor::Parts {
-    vtkSmartPointer<vtkRenderer> renderer;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<StrokeActor> actor;
+struct StrokesOfPoints : DrawnPoints<vtkPolyDataMapper, StrokeActor> {
+    using DrawnPoints::DrawnPoints;
 };
 
 ConnectionActor::ConnectionActor(vtkRenderer* renderer, const Color& color)
-    : m_parts(std::make_unique<Parts>())
+    : m_parts(std::make_unique<StrokesOfPoints>(renderer))
 {
-    m_parts->renderer = renderer;
-    m_parts->points->SetDataTypeToFloat();
-    m_parts->data->SetPoints(m_parts->points);
-    m_parts->mapper->SetInputData(m_parts->data);
-    m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
     m_parts->actor->GetProperty()->LightingOff();
     m_parts->actor->setLineWidth(1.2F);
-    renderer->AddActor(m_parts->actor);
 }
 
-ConnectionActor::~ConnectionActor()
-{
-    m_parts->renderer->RemoveActor(m_parts->actor);
-}
+ConnectionActor::~ConnectionActor() = default;
 
 void ConnectionActor::setConnections(const Aggregate& aggregate, std::span<const BrokenConnection> broken,
                                      std::span<const ObjectIndex> chosen)
@@ -99,44 +81,21 @@ void ConnectionActor::setClipping(vtkPlaneCollection* planes)
     m_parts->mapper->SetClippingPlanes(planes);
 }
 
-struct BreakActor::Parts {
-    vtkSmartPointer<vtkRenderer> renderer;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<StrokeActor> actor;
-};
-
 BreakActor::BreakActor(vtkRenderer* renderer)
-    : m_parts(std::make_unique<Parts>())
+    : m_parts(std::make_unique<StrokesOfPoints>(renderer))
 {
-    m_parts->renderer = renderer;
-    m_parts->points->SetDataTypeToFloat();
-    m_parts->data->SetPoints(m_parts->points);
-    m_parts->mapper->SetInputData(m_parts->data);
     m_parts->mapper->SetResolveCoincidentTopologyToPolygonOffset();
     m_parts->mapper->SetRelativeCoincidentTopologyPointOffsetParameter(beforeAll);
-    m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->LightingOff();
     m_parts->actor->GetProperty()->RenderPointsAsSpheresOn();
-    renderer->AddActor(m_parts->actor);
 }
 
-BreakActor::~BreakActor()
-{
-    m_parts->renderer->RemoveActor(m_parts->actor);
-}
+BreakActor::~BreakActor() = default;
 
 void BreakActor::show(const std::vector<Vec3>& marks)
 {
-    if (static_cast<std::size_t>(m_parts->points->GetNumberOfPoints()) != marks.size()) {
-        std::vector<vtkIdType> ids(marks.size());
-        std::iota(ids.begin(), ids.end(), 0);
-        vtkNew<vtkCellArray> vertices;
-        if (!ids.empty())
-            vertices->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-        m_parts->data->SetVerts(vertices);
-    }
+    if (static_cast<std::size_t>(m_parts->points->GetNumberOfPoints()) != marks.size())
+        m_parts->joinNothing(marks.size());
     setPoints(m_parts->points, marks);
     m_parts->data->Modified();
     m_parts->actor->SetVisibility(!marks.empty());

@@ -13,6 +13,8 @@ class vtkRenderer;
 
 namespace knead {
 
+struct StrokesOfPoints;
+
 /// Draws the live structural connections of a body as lines between its objects. Window thread, like all actors.
 class ConnectionActor {
 public:
@@ -29,8 +31,7 @@ public:
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides
 
 private:
-    struct Parts;
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<StrokesOfPoints> m_parts;
 };
 
 /// Marks where connections broke: a dot at each end that is left, where the crack faces it. Drawn over everything, as cracks lie
@@ -47,8 +48,7 @@ public:
     void setClipping(vtkPlaneCollection* planes);
 
 private:
-    struct Parts;
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<StrokesOfPoints> m_parts;
 };
 
 /// The places of such marks: for each broken connection half a rest length from its ends, towards each other [m].

@@ -9,13 +9,6 @@ namespace {
 constexpr double slowness = 0.2;   // share of the speed while Shift is held
 constexpr double nudgeTime = 0.05; // a key press while paused moves a block as far as it would go in this time [s]
 
-/// Where the ray meets the plane through `place` that faces the eye.
-Vec3 onPlane(const Ray& ray, const Vec3& place, const Vec3& normal)
-{
-    const double slope = ray.direction.dot(normal);
-    return slope == 0 ? place : Vec3(ray.origin + ((place - ray.origin).dot(normal) / slope) * ray.direction);
-}
-
 } // namespace
 
 Vec3 keyDirection(int key, const Camera& camera)
@@ -123,16 +116,13 @@ void Manipulation::drag(const Ray& ray, const Camera& camera)
     if (std::exchange(m_drag->camera, camera).value_or(camera) !=
         camera) { // it goes on from where it is, as it is seen now
         const Vec3 reached = m_drag->grabbed + m_drag->target.position - m_drag->start.position;
-        m_drag->grabbed = onPlane(ray, reached, camera.towardsEye());
+        m_drag->grabbed = ray.onPlane(reached, camera.towardsEye());
         m_drag->start = m_drag->target;
     }
     Pose target = m_drag->start;
-    target.position += onPlane(ray, m_drag->grabbed, camera.towardsEye()) - m_drag->grabbed;
+    target.position += ray.onPlane(m_drag->grabbed, camera.towardsEye()) - m_drag->grabbed;
     m_drag->target = target;
-    if (m_document.isPlaying())
-        m_document.post(SetManipulatorMotion{m_drag->tool, GoTo{target}});
-    else
-        m_document.post(PlaceManipulator{m_drag->tool, target});
+    m_document.bringTool(m_drag->tool, target);
 }
 
 void Manipulation::release()

@@ -1,20 +1,15 @@
 #include "ui/viewport/region_actor.h"
 
 #include "core/session/region_contents.h"
+#include "ui/viewport/drawn_points.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPlaneCollection.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <numeric>
@@ -24,73 +19,56 @@ namespace knead {
 
 namespace {
 
-constexpr float lineWidth = 4.5F;  // [pixels]
-constexpr double markRadius = 0.5; // [a]
+constexpr float regionLineWidth = 4.5F; // [pixels]
+constexpr double markRadius = 0.5;      // [a]
 
 } // namespace
 
 struct RegionActor::Parts {
-    vtkSmartPointer<vtkRenderer> renderer;
-    vtkNew<vtkPoints> linePoints;
-    vtkNew<vtkPolyData> lines;
-    vtkNew<vtkPolyDataMapper> lineMapper;
-    vtkNew<StrokeActor> lineActor;
-    vtkNew<vtkPoints> objectPoints;
-    vtkNew<vtkPolyData> objects;
-    vtkNew<vtkOpenGLSphereMapper> objectMapper;
-    vtkNew<vtkActor> objectActor;
+    explicit Parts(vtkRenderer* renderer)
+        : lines(renderer)
+        , objects(renderer)
+    {
+    }
+
+    DrawnPoints<vtkPolyDataMapper, StrokeActor> lines;
+    DrawnPoints<vtkOpenGLSphereMapper, vtkActor> objects;
 };
 
 RegionActor::RegionActor(vtkRenderer* renderer)
-    : m_parts(std::make_unique<Parts>())
+    : m_parts(std::make_unique<Parts>(renderer))
 {
-    m_parts->renderer = renderer;
-    m_parts->linePoints->SetDataTypeToFloat();
-    m_parts->objectPoints->SetDataTypeToFloat();
-    m_parts->lines->SetPoints(m_parts->linePoints);
-    m_parts->objects->SetPoints(m_parts->objectPoints);
-    m_parts->lineMapper->SetInputData(m_parts->lines);
-    m_parts->objectMapper->SetInputData(m_parts->objects);
-    m_parts->lineActor->SetMapper(m_parts->lineMapper);
-    m_parts->objectActor->SetMapper(m_parts->objectMapper);
-    m_parts->lineActor->setLineWidth(lineWidth);
-    m_parts->lineActor->GetProperty()->LightingOff();
+    m_parts->lines.actor->setLineWidth(regionLineWidth);
+    m_parts->lines.actor->GetProperty()->LightingOff();
     // Some drivers draw every line one pixel wide, which the skin's own edges cover; a shader draws tubes.
-    m_parts->lineActor->GetProperty()->RenderLinesAsTubesOn();
-    m_parts->objectActor->GetProperty()->SetAmbient(0.3);
-    for (vtkActor* actor : {static_cast<vtkActor*>(m_parts->lineActor), m_parts->objectActor.Get()}) {
-        actor->VisibilityOff();
-        renderer->AddActor(actor);
-    }
+    m_parts->lines.actor->GetProperty()->RenderLinesAsTubesOn();
+    m_parts->objects.actor->GetProperty()->SetAmbient(0.3);
+    hide();
 }
 
-RegionActor::~RegionActor()
-{
-    m_parts->renderer->RemoveActor(m_parts->lineActor);
-    m_parts->renderer->RemoveActor(m_parts->objectActor);
-}
+RegionActor::~RegionActor() = default;
 
 void RegionActor::setColor(const Color& color)
 {
-    m_parts->lineActor->GetProperty()->SetColor(color.r, color.g, color.b);
-    m_parts->objectActor->GetProperty()->SetColor(color.r, color.g, color.b);
+    m_parts->lines.actor->GetProperty()->SetColor(color.r, color.g, color.b);
+    m_parts->objects.actor->GetProperty()->SetColor(color.r, color.g, color.b);
 }
 
 void RegionActor::setClipping(vtkPlaneCollection* planes)
 {
-    m_parts->lineMapper->SetClippingPlanes(planes);
-    m_parts->objectMapper->SetClippingPlanes(planes);
+    m_parts->lines.mapper->SetClippingPlanes(planes);
+    m_parts->objects.mapper->SetClippingPlanes(planes);
 }
 
 void RegionActor::hide()
 {
-    m_parts->lineActor->VisibilityOff();
-    m_parts->objectActor->VisibilityOff();
+    m_parts->lines.actor->VisibilityOff();
+    m_parts->objects.actor->VisibilityOff();
 }
 
 bool RegionActor::isShown() const
 {
-    return m_parts->lineActor->GetVisibility() != 0 || m_parts->objectActor->GetVisibility() != 0;
+    return m_parts->lines.actor->GetVisibility() != 0 || m_parts->objects.actor->GetVisibility() != 0;
 }
 
 void RegionActor::show(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale)
@@ -134,17 +112,17 @@ void RegionActor::addLines(const Region& region, const FilledBodies& bodies, con
         }
     }
     const auto count = static_cast<vtkIdType>(m_ends.size() / 3);
-    m_parts->linePoints->SetNumberOfPoints(count);
-    std::copy(m_ends.begin(), m_ends.end(), static_cast<float*>(m_parts->linePoints->GetVoidPointer(0)));
-    m_parts->linePoints->Modified();
+    m_parts->lines.points->SetNumberOfPoints(count);
+    std::copy(m_ends.begin(), m_ends.end(), static_cast<float*>(m_parts->lines.points->GetVoidPointer(0)));
+    m_parts->lines.points->Modified();
     vtkNew<vtkIdTypeArray> ids;
     ids->SetNumberOfValues(count);
     std::iota(ids->Begin(), ids->End(), vtkIdType{0});
     vtkNew<vtkCellArray> cells;
     cells->SetData(2, ids); // two points each
-    m_parts->lines->SetLines(cells);
-    m_parts->lines->Modified();
-    m_parts->lineActor->VisibilityOn();
+    m_parts->lines.data->SetLines(cells);
+    m_parts->lines.data->Modified();
+    m_parts->lines.actor->VisibilityOn();
 }
 
 /// Around faces that lie side by side there is one line.
@@ -178,22 +156,18 @@ RegionActor::outlineOf(BodyId id, const std::shared_ptr<const FilledBody>& body,
 
 void RegionActor::addObjects(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale)
 {
-    m_parts->objectPoints->Reset();
+    m_parts->objects.points->Reset();
     double spacing = 0;
     for (const auto& [id, items] : region.items) {
         spacing = bodies[id]->aggregate->lattice.spacing;
         for (const Region::Item object : items)
-            m_parts->objectPoints->InsertNextPoint(frame.snapshot->bodies[id].positions[object].data());
+            m_parts->objects.points->InsertNextPoint(frame.snapshot->bodies[id].positions[object].data());
     }
-    std::vector<vtkIdType> ids(static_cast<std::size_t>(m_parts->objectPoints->GetNumberOfPoints()));
-    std::iota(ids.begin(), ids.end(), 0);
-    vtkNew<vtkCellArray> vertices;
-    vertices->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    m_parts->objectPoints->Modified();
-    m_parts->objects->SetVerts(vertices);
-    m_parts->objects->Modified();
-    m_parts->objectMapper->SetRadius(static_cast<float>(scale * markRadius * spacing));
-    m_parts->objectActor->VisibilityOn();
+    m_parts->objects.points->Modified();
+    m_parts->objects.joinNothing(static_cast<std::size_t>(m_parts->objects.points->GetNumberOfPoints()));
+    m_parts->objects.data->Modified();
+    m_parts->objects.mapper->SetRadius(static_cast<float>(scale * markRadius * spacing));
+    m_parts->objects.actor->VisibilityOn();
 }
 
 } // namespace knead

@@ -1,6 +1,6 @@
 #include "ui/viewport/views_feature.h"
 
-#include "ui/actions.h"
+#include "ui/commands/availability.h"
 #include "ui/viewport/view_grid.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -11,18 +11,19 @@
 
 namespace knead {
 
-ViewsFeature::ViewsFeature(const Workbench& bench, Actions& actions)
+ViewsFeature::ViewsFeature(const Workbench& bench)
     : QObject(&bench.window)
     , m_bench(bench)
-    , m_actions(actions)
+    , m_actions(bench.window)
 {
     connectViews();
     connectViewActions();
+    sayWhyNot();
 }
 
 void ViewsFeature::connectViews()
 {
-    const Actions& a = m_actions;
+    const ViewActions& a = m_actions;
     const std::pair<QAction*, ViewArrangement> arrangements[] = {
         {a.oneView, ViewArrangement::one}, {a.twoViews, ViewArrangement::two}, {a.fourViews, ViewArrangement::four}};
     for (const auto& [action, arrangement] : arrangements)
@@ -38,23 +39,32 @@ void ViewsFeature::connectViews()
 
 void ViewsFeature::showArrangement()
 {
-    const Actions& a = m_actions;
+    const ViewActions& a = m_actions;
     QAction* const arrangements[] = {a.oneView, a.twoViews, a.fourViews};
     arrangements[static_cast<std::size_t>(m_bench.views.arrangement())]->setChecked(true);
     a.viewAlone->setChecked(m_bench.views.isAlone());
     a.linkedViews->setChecked(m_bench.views.areLinked());
-    const bool areSeveral = m_bench.views.areSeveral() && !m_bench.document.isEmpty();
-    for (QAction* action : {a.viewAlone, a.linkedViews})
-        action->setEnabled(areSeveral);
-    a.nextView->setEnabled(areSeveral && !m_bench.views.isAlone());
-    const QString why = m_bench.document.isEmpty() ? tr("Open a part first.") : tr("Show two or four views first.");
-    for (QAction* action : {a.viewAlone, a.linkedViews, a.nextView})
-        action->setProperty("whyDisabled", why);
+    m_bench.availability.update();
+}
+
+void ViewsFeature::sayWhyNot()
+{
+    const ViewActions& a = m_actions;
+    m_bench.availability.needPart({a.fit, a.front, a.back, a.right, a.left, a.top, a.bottom, a.isometric, a.perspective,
+                                   a.oneView, a.twoViews, a.fourViews});
+    const auto needSeveral = [](bool areSeveral) {
+        return areSeveral ? std::nullopt : std::optional(tr("Show two or four views first."));
+    };
+    m_bench.availability.needPart({a.viewAlone, a.linkedViews},
+                                  [this, needSeveral] { return needSeveral(m_bench.views.areSeveral()); });
+    m_bench.availability.needPart({a.nextView}, [this, needSeveral] {
+        return needSeveral(m_bench.views.areSeveral() && !m_bench.views.isAlone());
+    });
 }
 
 void ViewsFeature::connectViewActions()
 {
-    const Actions& a = m_actions;
+    const ViewActions& a = m_actions;
     connect(a.fit, &QAction::triggered, &m_bench.viewport, &ViewportWidget::fit);
     const std::pair<QAction*, Vec3> views[] = {{a.front, {0, -1, 0}},    {a.back, {0, 1, 0}}, {a.right, {1, 0, 0}},
                                                {a.left, {-1, 0, 0}},     {a.top, {0, 0, 1}},  {a.bottom, {0, 0, -1}},
@@ -62,19 +72,6 @@ void ViewsFeature::connectViewActions()
     for (const auto& [action, direction] : views)
         connect(action, &QAction::triggered, this, [this, towards = direction] { m_bench.viewport.lookFrom(towards); });
     connect(a.perspective, &QAction::toggled, &m_bench.viewport, &ViewportWidget::setPerspective);
-    for (QAction* action : {a.objects, a.allObjects, a.edges, a.openEdges, a.grid})
-        connect(action, &QAction::toggled, this, &ViewsFeature::followSwitches);
-}
-
-void ViewsFeature::followSwitches()
-{
-    SceneOptions options = m_bench.viewport.options();
-    const ObjectDisplay shown = m_actions.allObjects->isChecked() ? ObjectDisplay::All : ObjectDisplay::Surface;
-    options.objects = m_actions.objects->isChecked() ? shown : ObjectDisplay::Off;
-    options.edges = m_actions.edges->isChecked();
-    options.openEdges = m_actions.openEdges->isChecked();
-    options.grid = m_actions.grid->isChecked();
-    m_bench.viewport.setOptions(options);
 }
 
 } // namespace knead

@@ -1,28 +1,29 @@
 #pragma once
 
 #include "ui/frame/workbench.h"
+#include "ui/viewport/view_actions.h"
 
 #include <QObject>
 
 namespace knead {
 
-struct Actions;
-
-/// What is seen of the part from where: several views, directions, and what is drawn in them. Window thread only.
+/// What is seen of the part from where: several views, and directions. Window thread only.
 class ViewsFeature final : public QObject {
     Q_OBJECT
 public:
-    ViewsFeature(const Workbench& bench, Actions& actions);
+    explicit ViewsFeature(const Workbench& bench);
+
+    const ViewActions& actions() const { return m_actions; }
 
     void showArrangement(); ///< the actions say what the views are
 
 private:
     void connectViews();
     void connectViewActions();
-    void followSwitches();
+    void sayWhyNot();
 
     Workbench m_bench;
-    Actions& m_actions;
+    ViewActions m_actions;
 };
 
 } // namespace knead
