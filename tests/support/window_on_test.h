@@ -2,18 +2,22 @@
 
 #include "app/cad_process.h"
 #include "app/gui.h"
+#include "support/skip.h"
 #include "ui/frame/features.h"
 #include "ui/frame/main_window.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/log_panel.h"
+#include "ui/viewport/side_view.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDir>
+#include <QFile>
 #include <QPainter>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QVariantAnimation>
@@ -76,36 +80,80 @@ protected:
         QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
     }
 
-    /// Waits, and then until no view turns any more, which takes as long as the machine needs for its pictures.
-    void rest(int milliseconds)
+    /// Waits until no view turns any more and pictures show where they came to, which takes as long as the machine needs for them.
+    void rest()
     {
-        QTest::qWait(milliseconds);
         const auto turns = [&] {
-            const auto animations =
-                m_window ? m_window->findChildren<QVariantAnimation*>() : QList<QVariantAnimation*>();
-            return std::ranges::any_of(animations, [](const QVariantAnimation* animation) {
+            return std::ranges::any_of(m_window->findChildren<QVariantAnimation*>(), [](const auto* animation) {
                 return animation->state() == QAbstractAnimation::Running;
             });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(!turns(), patience);
+        QVERIFY2(QTest::qWaitFor([&] { return !turns(); }, patience), "a view turns on and on");
+        drawn();
+    }
+
+    /// Waits until the window is laid out and its views show all that was asked for, in full where time stands still.
+    void drawn()
+    {
+        QCoreApplication::processEvents(); // what was posted may ask for more
+        if (!document().isEmpty())
+            seen();
+        ViewportWidget& view = m_window->viewport();
+        if (!view.isVisible())
+            return;
+        const QSignalSpy pictures(&view, &QOpenGLWidget::frameSwapped);
+        view.update();
+        const auto isBehind = [&] {
+            const auto sides = m_window->findChildren<SideView*>();
+            return view.isSketch() || std::ranges::any_of(sides, [](const SideView* side) {
+                       return side->isVisible() && (side->isStale() || side->isSketch());
+                   });
+        };
+        QVERIFY2(
+            QTest::qWaitFor([&] { return !pictures.isEmpty() && (document().isPlaying() || !isBehind()); }, patience),
+            "the view is not drawn");
     }
 
     /// Waits until a frame shows what came of everything that was asked for.
     void seen()
     {
         const std::uint64_t asked = document().requests();
-        QTRY_VERIFY_WITH_TIMEOUT(document().hasSeen(asked), patience);
+        QVERIFY2(QTest::qWaitFor([&] { return document().hasSeen(asked); }, patience), "no frame shows it");
+    }
+
+    void waitForTasks()
+    {
+        QVERIFY2(QTest::qWaitFor([this] { return !m_window->tasks().isRunning(); }, patience), "a task goes on and on");
     }
 
     /// Opens an example, filled coarsely so that it runs briskly on any machine.
     void openExample(const char* name, double cells = 16)
     {
+        ImportChoices request;
+        request.paths = {QFile::encodeName(example(name)).toStdString()};
+        request.spacing = SpacingChoice{SpacingChoice::Kind::CellsAlong, cells};
+        m_window->open(request);
+        waitForTasks();
+        QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
+        lookWhereItTurns();
+    }
+
+    /// As a person does who finds the filling too fine: a second entry of the history.
+    void openAndRefill(const char* name, double cells)
+    {
         m_window->open(QStringList(example(name)));
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        waitForTasks();
         QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
         m_window->features().imports->refill(document().size() / cells);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        rest(300); // the view turns to fit
+        waitForTasks();
+        lookWhereItTurns();
+    }
+
+    /// The view need not turn to fit before a person's eyes.
+    void lookWhereItTurns()
+    {
+        m_window->viewport().jumpTo(m_window->viewport().cameraAfterTurning());
+        drawn();
     }
 
     /// What went wrong, as the banner says it; empty when nothing did. That numbers are rough is no problem but a warning.
@@ -131,7 +179,7 @@ protected:
         const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
         if (folder.isEmpty())
             return;
-        QTest::qWait(100); // panels lie where they will
+        drawn(); // panels lie where they will
         QPixmap image = m_window->grab();
         QPainter painter(&image);
         for (QWidget* dialog : m_window->findChildren<QDialog*>()) // in front of it, wherever it lies
