@@ -74,7 +74,7 @@ protected:
     /// Waits until everything that was done is in the history and shown.
     void settle()
     {
-        QVERIFY2(QTest::qWaitFor([this] { return document().isSettled(); }, patience), "something goes on and on");
+        QVERIFY2(comesTrue([this] { return document().isSettled(); }), "something goes on and on");
         QVERIFY(snapshot().step == present().step && snapshot().time == present().time);
     }
 
@@ -92,9 +92,9 @@ protected:
     {
         const double end = snapshot().time + seconds;
         key(Qt::Key_Space);
-        QVERIFY2(QTest::qWaitFor([&] { return snapshot().time >= end; }, patience), "time stands still");
+        QVERIFY2(comesTrue([&] { return snapshot().time >= end; }), "time stands still");
         key(Qt::Key_Space);
-        QVERIFY2(QTest::qWaitFor([this] { return !snapshot().playing; }), "time does not stand still");
+        QVERIFY2(comesTrue([this] { return !snapshot().playing; }), "time does not stand still");
     }
 
     /// In both themes and two sizes.

@@ -37,16 +37,15 @@ protected:
     }
     void wait()
     {
-        QVERIFY2(QTest::qWaitFor([this] { return isIdle(); }, patience), "something goes on and on");
+        QVERIFY2(comesTrue([this] { return isIdle(); }), "something goes on and on");
     }
     /// A gesture may be gone on with for a second, and is an entry of the history only then.
     void waitForGesture()
     {
         if (document().isPlaying())
             QTest::qWait(1200);
-        QVERIFY2(
-            QTest::qWaitFor([this] { return document().isPlaying() || !document().isAnythingUnderWay(); }, patience),
-            "what was done does not end");
+        QVERIFY2(comesTrue([this] { return document().isPlaying() || !document().isAnythingUnderWay(); }),
+                 "what was done does not end");
         rest();
         wait();
     }

@@ -35,6 +35,17 @@ namespace knead {
 
 constexpr int patience = 60'000; // [ms], for machines that do much else
 
+/// Looks every few milliseconds whether something is so, and lets the window do its work in between. @return whether it came to be so.
+/// Rounds are counted, not time: each takes as long as what is to be done in it.
+template <class Condition>
+bool comesTrue(const Condition& isSo)
+{
+    constexpr int round = 10; // [ms]
+    for (int rounds = patience / round; rounds > 0 && !isSo(); --rounds)
+        QTest::qWait(round);
+    return isSo();
+}
+
 /// Reads each file of a folder once, as it comes, which takes half a second in a process of its own. What is chosen otherwise is read
 /// anew.
 inline ImportFiles readingOnce(ImportFiles import, const std::string& folder)
@@ -88,7 +99,7 @@ protected:
                 return animation->state() == QAbstractAnimation::Running;
             });
         };
-        QVERIFY2(QTest::qWaitFor([&] { return !turns(); }, patience), "a view turns on and on");
+        QVERIFY2(comesTrue([&] { return !turns(); }), "a view turns on and on");
         drawn();
     }
 
@@ -109,21 +120,20 @@ protected:
                        return side->isVisible() && (side->isStale() || side->isSketch());
                    });
         };
-        QVERIFY2(
-            QTest::qWaitFor([&] { return !pictures.isEmpty() && (document().isPlaying() || !isBehind()); }, patience),
-            "the view is not drawn");
+        QVERIFY2(comesTrue([&] { return !pictures.isEmpty() && (document().isPlaying() || !isBehind()); }),
+                 "the view is not drawn");
     }
 
     /// Waits until a frame shows what came of everything that was asked for.
     void seen()
     {
         const std::uint64_t asked = document().requests();
-        QVERIFY2(QTest::qWaitFor([&] { return document().hasSeen(asked); }, patience), "no frame shows it");
+        QVERIFY2(comesTrue([&] { return document().hasSeen(asked); }), "no frame shows it");
     }
 
     void waitForTasks()
     {
-        QVERIFY2(QTest::qWaitFor([this] { return !m_window->tasks().isRunning(); }, patience), "a task goes on and on");
+        QVERIFY2(comesTrue([this] { return !m_window->tasks().isRunning(); }), "a task goes on and on");
     }
 
     /// Opens an example, filled coarsely so that it runs briskly on any machine.
