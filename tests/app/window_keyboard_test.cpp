@@ -198,7 +198,8 @@ private:
     void clickAndClose(QComboBox* choice)
     {
         QTest::mouseClick(choice, Qt::LeftButton);
-        QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 200);
+        [[maybe_unused]] const bool isOpen =
+            QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 200);
         if (QWidget* list = QApplication::activePopupWidget())
             QTest::keyClick(list, Qt::Key_Escape);
         QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
