@@ -28,6 +28,19 @@ if(KNEAD_SANITIZE)
     target_compile_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE} -fno-omit-frame-pointer -g)
     target_link_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE})
 endif()
+if(KNEAD_COVERAGE)
+    # These come after what targets say themselves. With fewer optimizations GCC 12 warns of strings and containers where nothing is
+    # wrong. Threads count at the same time.
+    target_compile_options(knead_settings INTERFACE -O1 --coverage -fprofile-update=prefer-atomic -Wno-error)
+    target_link_options(knead_settings INTERFACE --coverage)
+endif()
+
+# Binaries of both kinds go together: layouts are the same.
+function(knead_check_indices target)
+    if(KNEAD_CHECK_INDICES)
+        target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+    endif()
+endfunction()
 
 # A layer is one static library whose headers are included from the project root: "core/geometry/vec3.h".
 # The dependencies of a layer are the only include folders it sees, so a wrong arrow does not compile:

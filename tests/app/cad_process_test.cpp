@@ -1,6 +1,7 @@
 #include "app/cad_process.h"
 #include "io/importer.h"
 #include "io/worker/isolated_import.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -466,7 +467,7 @@ private slots:
     {
         QFETCH(QString, path);
         if (path.isEmpty())
-            QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+            KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
         try {
             const Model model =
                 importIsolated(program, path.toStdString(), {},
@@ -492,7 +493,7 @@ private slots:
     {
         QFETCH(QString, stage);
         if (qEnvironmentVariableIsEmpty("KNEAD_CORPUS"))
-            QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+            KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
         const std::string path =
             qEnvironmentVariable("KNEAD_CORPUS").toStdString() + "/open/o37_big_soarm_assembled.step";
         CancelAt control(stage.toStdString());

@@ -1,3 +1,4 @@
+#include "support/skip.h"
 #include "support/slurm_cluster.h"
 #include "support/sweeps.h"
 
@@ -79,7 +80,7 @@ void SweepSlurmTest::withoutSlurmThereIsASentence()
 void SweepSlurmTest::theTableIsThatOfThisMachine()
 {
     if (!m_missing.isEmpty())
-        QSKIP(qPrintable("Slurm cannot be started: " + m_missing));
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
     const QStringList points{"--vary", "spacing_mm=5,-1,4", "--vary", "material.youngs_modulus_pa=1e5:1e6:log:3"};
     const QString here = m_shop.qPath("here");
     const QString there = m_shop.qPath("the folder's name");
@@ -100,7 +101,7 @@ void SweepSlurmTest::theTableIsThatOfThisMachine()
 void SweepSlurmTest::anInterruptedSweepTakesUpItsJobs()
 {
     if (!m_missing.isEmpty())
-        QSKIP(qPrintable("Slurm cannot be started: " + m_missing));
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
     const QString folder = m_shop.qPath("interrupted");
     const QStringList sweep = arguments(folder, {"--vary", "spacing_mm=5,6,7,8", "--slurm-option=--begin=now+5"});
     const Outcome outcome = interrupted(sweep, folder);
@@ -120,7 +121,7 @@ void SweepSlurmTest::anInterruptedSweepTakesUpItsJobs()
 void SweepSlurmTest::vanishedTasksAreSubmittedAgain()
 {
     if (!m_missing.isEmpty())
-        QSKIP(qPrintable("Slurm cannot be started: " + m_missing));
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
     const QString folder = m_shop.qPath("vanished");
     const QStringList points{"--vary", "spacing_mm=5,6,7"};
     interrupted(arguments(folder, points + QStringList{"--slurm-option=--hold"}), folder);
@@ -153,7 +154,7 @@ void SweepSlurmTest::vanishedTasksAreSubmittedAgain()
 void SweepSlurmTest::longSweepsTakeSeveralArrays()
 {
     if (!m_missing.isEmpty())
-        QSKIP(qPrintable("Slurm cannot be started: " + m_missing));
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
     const QString folder = m_shop.qPath("long");
     const QStringList sweep = arguments(folder, {"--vary", "material.youngs_modulus_pa=1e5:2.002e5:lin:1003"});
     interrupted(sweep + QStringList{"--slurm-option=--hold"}, folder);
@@ -188,7 +189,7 @@ void SweepSlurmTest::longSweepsTakeSeveralArrays()
 void SweepSlurmTest::refusalsOfSlurmAreASentence()
 {
     if (!m_missing.isEmpty())
-        QSKIP(qPrintable("Slurm cannot be started: " + m_missing));
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
     const Outcome outcome =
         knead(arguments(m_shop.qPath("refused"), {"--vary", "spacing_mm=5", "--slurm-option", "--partition=nowhere"}));
     QCOMPARE(outcome.status, 1);

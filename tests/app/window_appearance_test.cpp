@@ -26,7 +26,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -158,7 +158,7 @@ private slots:
             const Color other = (theme == Theme::Light ? lightScene() : darkScene()).selectedOther;
             const auto marked = [&] {
                 QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-                QTest::qWait(150);
+                drawn();
                 return countOf(view().grabFramebuffer(), other);
             };
             document().select({});
@@ -176,7 +176,7 @@ private slots:
         const Color other = lightScene().selectedOther;
         const auto marked = [&] {
             QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-            QTest::qWait(150);
+            drawn();
             return countOf(view().grabFramebuffer(), other);
         };
         document().selected().setLevel(Level::Face);
@@ -206,7 +206,7 @@ private slots:
         document().select({});
         QTest::keyClick(m_window.get(), Qt::Key_F);
         QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-        rest(500);
+        rest();
         const QImage seen = view().grabFramebuffer();
         keep(seen, "ball");
         const double scale = seen.devicePixelRatio();
@@ -248,7 +248,7 @@ private slots:
         openExample("bracket.step", 10);
         press(Qt::Key_F4, Qt::ShiftModifier);
         QTRY_VERIFY(views().sideView(ViewSlot::front) != nullptr);
-        rest(300);
+        rest();
         SideView& front = *views().sideView(ViewSlot::front);
         QTest::keyClick(m_window.get(), Qt::Key_M);
         QVERIFY(action("measureDistance")->isChecked());

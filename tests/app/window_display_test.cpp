@@ -25,7 +25,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -184,12 +184,12 @@ private slots:
         QCOMPARE(view().options().objects, ObjectDisplay::Surface);
         QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ShiftModifier);
         QVERIFY(view().options().skin);
-        QTest::qWait(100);
+        drawn();
         picture("display-glass");
         QTest::keyClick(m_window.get(), Qt::Key_O);
         QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
         QVERIFY(view().options().connections && !view().options().skin);
-        QTest::qWait(100);
+        drawn();
         bothThemes("connections");
         QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
         QVERIFY(view().options().skin && action("skin")->isChecked());
@@ -244,7 +244,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_7);
         QTest::keyClick(m_window.get(), Qt::Key_5);
         QTest::keyClick(m_window.get(), Qt::Key_E); // no edges
-        rest(500);
+        rest();
         raisePanel();
         click(find<QCheckBox>("sectionBox"));
         choose("sectionAxis", "Z");
@@ -253,7 +253,7 @@ private slots:
         const Box box = document().content().box;
         QCOMPARE(view().options().section.plane->normal, Vec3(Vec3::UnitZ()));
         QVERIFY(std::abs(view().options().section.plane->offset - box.center().z()) < 1e-12);
-        rest(300);
+        rest();
         const auto& body = *document().content().bodies[0];
         const PlaneSection section =
             planeSection(body.mesh.vertices, body.mesh.triangles, *view().options().section.plane);
@@ -294,7 +294,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_E);
         click(find<QCheckBox>("sectionHatched"));
         QTest::keyClick(m_window.get(), Qt::Key_0);
-        rest(500);
+        rest();
         bothThemes("section");
     }
 
@@ -311,7 +311,7 @@ private slots:
         const QPointF way = *view().widgetPosition(0.02 * normal) - *view().widgetPosition(Vec3::Zero());
         QTest::mousePress(knob, Qt::LeftButton, {}, center);
         QTest::mouseMove(knob, center + (way / 2).toPoint());
-        QTest::qWait(50);
+        drawn();
         QTest::mouseRelease(knob, Qt::LeftButton, {}, center);
         const double after = view().options().section.plane->offset;
         QVERIFY2(after - before > 0.004 && after - before < 0.02, qPrintable(QString::number(after - before)));
@@ -347,7 +347,7 @@ private slots:
         openExample("bar.step", 24);
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier); // cuts off what is beyond x = 80 mm
         view().lookFrom(Vec3(1, 0, 0));
-        rest(400);
+        rest();
         const PickHit hit = view().hitAt(*view().widgetPosition(Vec3(0.08, 0.01, 0.01)));
         QCOMPARE(hit.kind, PickHit::Kind::Cut);
         QVERIFY(std::abs(hit.place.x() - 0.08) < 1e-9);
@@ -383,21 +383,21 @@ private slots:
     {
         stretchBar();
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
-        rest(400);
+        rest();
         const auto added = view().widgetPosition(Vec3(0.17, 0, 0.01))->toPoint(); // where only the stretched bar is
         const QColor material = shot().pixelColor(added);
         QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
         auto* divider = find<QWidget>("dividerHandle");
         QTRY_VERIFY(divider->isVisible());
         QVERIFY(view().options().divider == 0.5);
-        QTest::qWait(100);
+        drawn();
         QCOMPARE(shot().pixelColor(added), material);
         const auto dragTo = [&](int x) {
             QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
             QTest::mouseMove(divider, divider->mapFrom(&view(), QPoint(x, view().height() / 2)));
-            QTest::qWait(50);
+            drawn();
             QTest::mouseRelease(divider, Qt::LeftButton, {}, divider->rect().center());
-            QTest::qWait(100);
+            drawn();
         };
         bothThemes("compare");
         dragTo(added.x() + 15);
@@ -431,11 +431,11 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.6, patience);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing && document().isSettled());
-        rest(300);
+        rest();
         QVERIFY(view().scale());
         bothThemes("all");
         m_window->resize(1920, 1080);
-        rest(300);
+        rest();
         picture("display-all-large");
     }
 
@@ -446,7 +446,7 @@ private:
     /// What is drawn now, without what lies over it.
     QImage shot()
     {
-        QTest::qWait(100);
+        drawn();
         return view().grabFramebuffer();
     }
 
@@ -466,7 +466,7 @@ private:
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing && document().isSettled());
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        rest(400);
+        rest();
         raisePanel();
     }
 
@@ -585,7 +585,7 @@ private:
     {
         for (const Theme theme : {Theme::Dark, Theme::Light}) {
             m_window->features().preferences->setTheme(theme);
-            QTest::qWait(200);
+            drawn();
             picture(qPrintable(QStringLiteral("display-%1-%2").arg(name, theme == Theme::Dark ? "dark" : "light")));
         }
     }

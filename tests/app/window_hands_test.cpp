@@ -32,7 +32,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         qputenv("SPNAV_SOCKET", socketPath().c_str());
         prepare();
     }
@@ -70,10 +70,10 @@ private slots:
         press(handle(GizmoPart::moveX));
         drag(QPoint(40, 0));
         QTRY_VERIFY(tool().pose.position != start);
-        QTest::qWait(100);
+        drawn();
         const Vec3 reached = tool().pose.position;
         turnBy(QPoint(260, 30));
-        QTest::qWait(100);
+        drawn();
         QVERIFY2((tool().pose.position - reached).norm() < 1e-12, "turning moves nothing");
         // The arrow is seen otherwise now: along it the tool goes as far as the mouse.
         const auto seen = [this](const Vec3& place) { return *view().widgetPosition(place); };
@@ -82,7 +82,7 @@ private slots:
         const QPoint way = (arrow * (60 / std::hypot(arrow.x(), arrow.y()))).toPoint();
         moveBy(way);
         QTRY_VERIFY((tool().pose.position - reached).norm() > 0.0005);
-        QTest::qWait(100);
+        drawn();
         const QPointF gone = seen(tool().pose.position) - before;
         QVERIFY2(std::hypot(gone.x() - way.x(), gone.y() - way.y()) < 6,
                  qPrintable(QStringLiteral("%1 %2 for %3 %4").arg(gone.x()).arg(gone.y()).arg(way.x()).arg(way.y())));
@@ -102,11 +102,11 @@ private slots:
         press(view().widgetPosition(start)->toPoint());
         moveBy(QPoint(30, -10));
         QTRY_VERIFY((tool().pose.position - start).norm() > 0.0005);
-        QTest::qWait(150);
+        drawn();
         const Vec3 reached = tool().pose.position;
         turnBy(QPoint(200, 20));
         moveBy(QPoint(1, 0)); // from here on
-        QTest::qWait(150);
+        drawn();
         QVERIFY2((tool().pose.position - reached).norm() < 1e-3, "it does not jump");
         const QPointF before = *view().widgetPosition(tool().pose.position);
         const Vec3 here = tool().pose.position;
@@ -372,7 +372,7 @@ private slots:
         QTRY_VERIFY(find<QWidget>("keyCards")->isVisible());
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         // One step for a press while time stands still.
         const std::array<Vec3, 3> start = places();
         for (int times = 0; times < 3; ++times) // however fast they follow each other
@@ -426,7 +426,7 @@ private slots:
         key(Qt::Key_F4);
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         document().select({Selection::Kind::Tool, snapshot().tools[1].id});
         const std::array<Vec3, 3> start = places();
         key(Qt::Key_Space);
@@ -444,7 +444,7 @@ private slots:
         QTest::keyRelease(&view(), Qt::Key_Up);
         drag(QPoint(-60, 0));
         QVERIFY(document().isInGesture()); // the mouse still holds its tool
-        QTest::qWait(100);
+        drawn();
         picture("two-hands");
         release();
         QVERIFY(!document().isInGesture());
@@ -461,7 +461,7 @@ private slots:
         fixOneEnd();
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         settle();
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
@@ -500,7 +500,7 @@ private slots:
         fixBack();
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         settle();
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
@@ -545,7 +545,7 @@ private slots:
         QTRY_COMPARE(tool().forceLimit, 0.5);
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         settle();
         const PressHand& hand = m_window->hands().pressing();
         key(Qt::Key_F5);
@@ -579,7 +579,7 @@ private slots:
         fixBack();
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         settle();
         const PressHand& hand = m_window->hands().pressing();
         key(Qt::Key_F5);
@@ -714,7 +714,7 @@ private slots:
         document().select({Selection::Kind::Tool, snapshot().tools[0].id});
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         m_window->features().hands->exportForces(m_folder.filePath("early.csv"));
         QVERIFY(m_window->banner().sentence().contains("press Play"));
         m_window->banner().hide();
@@ -815,7 +815,7 @@ private:
         openBar();
         addBlock();
         key(Qt::Key_F);
-        rest(500);
+        rest();
         settle();
     }
 

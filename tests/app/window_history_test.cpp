@@ -36,11 +36,11 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
-    void init() { openBar(); }
+    void init() { openRefilledBar(); }
     void cleanup() { m_window.reset(); }
 
     void importingAndFillingAreEntries()
@@ -235,7 +235,7 @@ private slots:
     {
         addBlock();
         key(Qt::Key_F);
-        rest(500);
+        rest();
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
         ViewportWidget& view = m_window->viewport();
@@ -290,7 +290,8 @@ private slots:
         QVERIFY(tree().record(present().parent).name.starts_with("Simulate "));
         QVERIFY(snapshot().playing);
         // Undone while it plays: what was simulated since is kept as well.
-        QTest::qWait(200);
+        const double played = snapshot().time;
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > played + 0.1, patience);
         undo();
         settle();
         QVERIFY(!snapshot().playing);
@@ -381,7 +382,7 @@ private slots:
         std::vector<std::uint64_t> digests{digest()};
         for (int i = 0; i < 6; ++i) {
             key(Qt::Key_Period);
-            rest(1100); // or they would be one
+            QTest::qWait(1100); // or they would be one
             digests.push_back(digest());
         }
         for (int i = 0; i < 6; ++i)

@@ -84,7 +84,7 @@ class WindowImportTest : public QObject, WindowOnTest {
         const auto hasDialog = [this] { return find<ImportDialog>("importDialog") != nullptr; };
         if (!QTest::qWaitFor(hasDialog, patience))
             return nullptr;
-        QTest::qWait(100);
+        drawn();
         return find<ImportDialog>("importDialog");
     }
 
@@ -94,7 +94,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
         m_services.import = importInChildren; // each time anew: reading is what is looked at
     }
@@ -191,7 +191,7 @@ private slots:
         QVERIFY(report().contains("open edges"));
         QVERIFY(!action("play")->isEnabled() && !action("export")->isEnabled() && action("fit")->isEnabled());
         QVERIFY(!document().content().model->parts[0].openEdges.empty());
-        rest(300);
+        rest();
         picture("open-surface");
         const QImage seen = m_window->viewport().grabFramebuffer();
         QVERIFY(seen.pixelColor(5, 5).lightness() > 200); // the light ground above the part
@@ -255,7 +255,7 @@ private slots:
         auto& watched = *static_cast<WatchedApplication*>(qApp);
         watched.clear();
         openAndWait({example("handle.step"), example("bracket.step")});
-        rest(500);
+        rest();
         QCOMPARE(document().content().model->tree.children.size(), std::size_t{2});
         qInfo("Busy for %.1f ms at most (%s), and drawing for %.1f ms.", 1000 * watched.longest().time,
               qPrintable(watched.longest().what), 1000 * watched.longestDrawing());

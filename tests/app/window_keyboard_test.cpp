@@ -20,7 +20,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -191,18 +191,19 @@ private:
     {
         find<QDockWidget>(dock)->show();
         find<QDockWidget>(dock)->raise();
-        QTest::qWait(50);
+        drawn();
     }
 
     /// A click opens the list, Esc closes it: the keyboard stays.
     void clickAndClose(QComboBox* choice)
     {
         QTest::mouseClick(choice, Qt::LeftButton);
-        QTest::qWait(200);
+        [[maybe_unused]] const bool isOpen =
+            QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 200);
         if (QWidget* list = QApplication::activePopupWidget())
             QTest::keyClick(list, Qt::Key_Escape);
         QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
-        QTest::qWait(50);
+        drawn();
     }
 
     /// By the palette, as a person types it.
@@ -213,7 +214,7 @@ private:
         QTRY_VERIFY(field->hasFocus());
         QTest::keyClicks(field, letters);
         QTest::keyClick(field, Qt::Key_Return);
-        QTest::qWait(50);
+        drawn();
     }
 };
 

@@ -196,7 +196,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
         m_folder = m_temporary.path();
         qputenv("XDG_STATE_HOME", m_folder.toUtf8());

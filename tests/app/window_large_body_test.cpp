@@ -22,7 +22,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepareStories();
     }
 
@@ -150,7 +150,7 @@ private:
         stage("measured");
         key(Qt::Key_M, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
-        QTest::qWait(200);
+        drawn();
         stage("compared");
         auto* dialog = find<QDialog>("comparisonDialog");
         dialog->activateWindow();
@@ -175,7 +175,7 @@ private:
             QTest::qWait(50);
             QTest::mouseClick(&view(), Qt::LeftButton, {}, seen(0.5));
             dragBox();
-            QTest::qWait(100);
+            drawn();
             stage(name);
         }
         QVERIFY(document().selected().region().level == Level::Object);
@@ -185,7 +185,7 @@ private:
         key(Qt::Key_X, Qt::AltModifier);
         key(Qt::Key_D, Qt::ControlModifier);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-        QTest::qWait(100);
+        drawn();
         stage("objects-within");
         view().setFocus();
         key(Qt::Key_N, Qt::ShiftModifier);

@@ -56,7 +56,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -75,7 +75,7 @@ private slots:
         for (int i = 0; i < presets()->count(); ++i)
             QVERIFY(!presets()->itemIcon(i).isNull());
         presets()->showPopup();
-        QTest::qWait(200);
+        QTRY_VERIFY(presets()->view()->isVisible());
         if (const QString folder = qEnvironmentVariable("KNEAD_PICTURES"); !folder.isEmpty())
             presets()->view()->window()->grab().save(QDir(folder).filePath("presets.png"));
         presets()->hidePopup();
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(m_window->banner().sentence().contains("locked"));
         QVERIFY(!field->isEnabled());
         type("friction", "0.88");
-        QTest::qWait(100); // what is posted would have come by now
+        seen(); // what is posted would have come by now
         QCOMPARE(snapshot().materials[0].friction, friction);
         QCOMPARE(field->value(), friction);
         QCOMPARE(field->text(), shown);

@@ -86,7 +86,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -107,7 +107,7 @@ private slots:
 
     void distancesOfTheBracketAreThoseOfItsDrawing()
     {
-        openExample("bracket.step");
+        openAndRefill("bracket.step", 16);
         QTest::keyClick(m_window.get(), Qt::Key_M);
         QVERIFY(action("measureDistance")->isChecked());
         measure("measureDistance", {at(0, 0, 0), at(58, 0, 0)});
@@ -396,7 +396,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         m_window->open(QStringList(folder.filePath("bar.stl")));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        rest(400);
+        rest();
         action("measureRadiusOfFace")->trigger();
         const FilledBody& body = *document().content().bodies[0];
         Box box;

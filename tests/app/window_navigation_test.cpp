@@ -23,11 +23,11 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
-    void init() { openBar(); }
+    void init() { openRefilledBar(); }
     void cleanup() { m_window.reset(); }
 
     void aClickInThePanelGoesThere()
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(document().history().memoryLimit(), std::size_t{100} << 20U);
         allowed->setValue(512);
         m_window->features().preferences->setTheme(Theme::Dark);
-        QTest::qWait(200);
+        drawn();
         picture("history-dark");
         m_window->features().preferences->setTheme(Theme::Light);
     }
@@ -234,7 +234,7 @@ private slots:
         addBlock();
         simulate(0.3);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         document().post(SetGravity{Vec3(0, 0, 5)});
         settle();
         forgetMoments();

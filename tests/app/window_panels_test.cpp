@@ -21,7 +21,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -60,7 +60,7 @@ private slots:
         }
         m_window->viewport().setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        rest(600);
+        rest();
         picture("tools");
     }
 
@@ -140,7 +140,7 @@ private slots:
         typeOver("toolPositionX", "180 mm");
         QTRY_VERIFY(snapshot().playing && (snapshot().tools[0].pose.position - start).norm() > 0);
         QVERIFY((snapshot().tools[0].pose.position - start).norm() < limit * snapshot().time + 1e-9);
-        QTest::qWait(50); // on its way
+        seen(); // on its way
         typeOver("toolPositionY", "60 mm");
         const Vec3 goal(0.18, 0.06, start.z());
         QTRY_VERIFY_WITH_TIMEOUT((snapshot().tools[0].pose.position - goal).norm() < 1e-9, patience);
@@ -267,7 +267,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        rest(500);
+        rest();
         const Vec3 start = snapshot().tools[0].pose.position;
         ViewportWidget& view = m_window->viewport();
         const QPoint from = view.widgetPosition(start)->toPoint();

@@ -73,7 +73,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 

@@ -34,7 +34,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(snapshot().tools.size(), std::size_t{1});
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(statesOfSteps(20) == later); // goes on to the same bits
-        rest(300);
+        rest();
         picture("opened project");
     }
 
@@ -132,7 +132,7 @@ private slots:
 
         m_window->close();
         QTRY_VERIFY(find<QMessageBox>("saveQuestion") != nullptr);
-        QTest::qWait(100);
+        drawn();
         picture("save question");
         answer("saveQuestion", QMessageBox::Cancel);
         QVERIFY(m_window->isVisible());
@@ -160,7 +160,7 @@ private slots:
 
     void workBeforeARefillComesBackToo()
     {
-        openExample("bar.step", 10); // opened and refilled
+        openAndRefill("bar.step", 10);
         document().undo();
         wait();
         const std::uint64_t first = hash();
@@ -231,7 +231,7 @@ private slots:
         saveTo(file("a.knead"));
         newWindow(m_services); // before anything else could be done
         QTRY_VERIFY(!thumbnails::of(file("a.knead")).isNull());
-        QTest::qWait(100);
+        drawn();
         picture("home with recent files");
         clickOn<QPushButton>("recent_a.knead");
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);

@@ -33,7 +33,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -67,13 +67,13 @@ private slots:
             document().selected().select({});
             const auto [place, face] = faceTowardsTheEye();
             QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-            QTest::qWait(150);
+            drawn();
             const Color before = colorAt(place);
             QTest::keyClick(m_window.get(), Qt::Key_2);
             click(place);
             QTRY_VERIFY(document().selected().region().contains(0, face));
             QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-            QTest::qWait(200);
+            drawn();
             picture(theme == Theme::Light ? "selected-face-light" : "selected-face-dark");
             const double difference = differenceOf(before, colorAt(place));
             QVERIFY2(difference > 0.6, qPrintable(QString::number(difference)));
@@ -97,7 +97,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
         action("driveByKeys")->setChecked(true);
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        rest(500);
+        rest();
         auto* cards = find<QWidget>("keyCards");
         QTRY_VERIFY(cards->isVisible());
         picture(qPrintable("key-cards-" + file.chopped(5)));
@@ -117,7 +117,7 @@ private slots:
         auto* legend = find<QWidget>("colorLegend");
         QTRY_VERIFY(legend->isVisible());
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        rest(500);
+        rest();
         picture("legend-front");
         QTRY_VERIFY(!seenPart().intersects(legend->geometry()));
     }
@@ -132,7 +132,7 @@ private slots:
         for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
             dock->show();
             dock->raise();
-            QTest::qWait(80);
+            drawn();
             picture(qPrintable("dock-" + dock->objectName()));
             for (QWidget* widget : dock->widget()->findChildren<QWidget*>())
                 if (isRow(*widget, *dock))
@@ -152,7 +152,7 @@ private slots:
         document().addTool(ToolKind::box);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         const auto look = [this](const char* what) {
-            QTest::qWait(100);
+            drawn();
             picture(what);
             QStringList cut;
             for (const QScrollArea* area : m_window->findChildren<QScrollArea*>())
@@ -198,7 +198,7 @@ private slots:
         for (const int width : {1100, 1280, 1920, 2600}) {
             m_window->resize(width, 800);
             QTRY_COMPARE(m_window->width(), width);
-            QTest::qWait(20);
+            drawn();
             readings->show(busy);
             // Laid out, but nothing else: the simulation would show what it really does.
             QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -233,11 +233,11 @@ private slots:
         document().select({});
         action("grid")->setChecked(false);
         QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-        QTest::qWait(200);
+        drawn();
         const int usual = darkPixels(view().grabFramebuffer());
         view().renderWindow()->SetDPI(2 * view().renderWindow()->GetDPI());
         view().requestRender();
-        QTest::qWait(100);
+        drawn();
         const int wide = darkPixels(view().grabFramebuffer());
         QVERIFY2(usual > 200 && wide > 1.5 * usual, qPrintable(QStringLiteral("%1, %2").arg(usual).arg(wide)));
     }
@@ -251,7 +251,7 @@ private slots:
         const QImage portrait = view().portrait();
         QVERIFY(!hasCube(portrait));
         savePicture(portrait, "bracket");
-        QTest::qWait(100);
+        drawn();
         QVERIFY2(hasCube(view().grabFramebuffer()), "the view keeps it");
         QTest::qWait(2500); // a picture is taken
         QVERIFY(!hasCube(thumbnails::of(example("bracket.step"))));

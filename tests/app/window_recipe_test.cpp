@@ -25,7 +25,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
         show(m_services);
         m_recipe = m_shop.write(workshop::busyRecipe(example("bar.step").toStdString()), "press.recipe.json");
@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(document().history().tree().records()[0].name, std::string("Open press.recipe.json"));
         QVERIFY(recent_files::list().contains(m_recipe));
         QVERIFY(!m_window->projects().isModified());
-        rest(400);
+        rest();
         picture("recipe-opened");
     }
 
@@ -175,7 +175,7 @@ private slots:
         open(m_recipe);
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         key(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{2});
         click(snapshot().tools[1].pose.position);
@@ -240,7 +240,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && isOpen(), patience);
         QCOMPARE(snapshot().tools.size(), std::size_t{2});
         QCOMPARE(snapshot().tools[0].name, std::string("anvil"));
-        rest(400);
+        rest();
         picture("recipe-bend-bar");
     }
 

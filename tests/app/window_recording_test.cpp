@@ -105,7 +105,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("without a display there is nothing to draw with");
+            KNEAD_SKIP_WITHOUT("display", "Without a display there is nothing to draw with.");
         prepare(Eyes::open);
         show(m_services);
         openExample("bar.step", 8);
@@ -294,7 +294,7 @@ private slots:
                 find<QLabel>("recordExtent")->text().startsWith(QString::number(recording.pictures()) + " picture"));
             for (const Theme theme : {Theme::Dark, Theme::Light}) {
                 m_window->features().preferences->setTheme(theme);
-                QTest::qWait(100);
+                drawn();
                 const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
                 if (!folder.isEmpty())
                     dialog->grab().save(QStringLiteral("%1/%2-%3.png").arg(folder, name).arg(static_cast<int>(theme)));

@@ -39,7 +39,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -97,11 +97,11 @@ private slots:
         QVERIFY(document().isEmpty());
         QVERIFY2(m_window->banner().sentence().contains("damaged"), qPrintable(m_window->banner().sentence()));
         QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Rescue what is whole"));
-        QTest::qWait(100);
+        drawn();
         picture("damaged");
         clickOn<QToolButton>("bannerRemedy");
         QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("missingBox") != nullptr, patience);
-        QTest::qWait(100);
+        drawn();
         QCOMPARE(find<QMessageBox>("missingBox")->text(), QString("This could not be brought back:"));
         QVERIFY(!find<QMessageBox>("missingBox")->informativeText().isEmpty());
         QVERIFY(find<QPlainTextEdit>("log")->toPlainText().contains("Not whole: "));
@@ -196,7 +196,7 @@ private slots:
             m_window->projects().offerRecoveries(false);
             QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
             QCOMPARE(find<QListWidget>("recoveryList")->count(), 1);
-            QTest::qWait(100);
+            drawn();
             picture("recovery");
             clickOn<QPushButton>("recoveryRecover");
             QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);

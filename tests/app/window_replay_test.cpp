@@ -28,7 +28,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
         show(m_services);
         doThings();
@@ -133,7 +133,7 @@ private:
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        rest(500);
+        rest();
         key(Qt::Key_Space);
         waitFor(0.05);
         drag(QPoint(0, 60));

@@ -39,7 +39,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -97,7 +97,7 @@ private slots:
 
     void savingComesAfterALongWayBack()
     {
-        openExample("bar.step", 10); // opened and refilled
+        openAndRefill("bar.step", 10);
         saveTo(file("a.knead"));
         newWindow(m_services);
         openProject(file("a.knead"));
@@ -186,11 +186,11 @@ private slots:
         QVERIFY(!m_window->tasks().isRunning());
         switchGravity();
         pressSave();
-        rest(300);
+        QTest::qWait(200);
         QVERIFY(m_window->isWindowModified());
         m_isDiskSlow = false;
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
-        rest(300);
+        QTest::qWait(200); // the other one would have ended by now
         QCOMPARE(entriesIn(file("a.knead")), entries());
     }
 

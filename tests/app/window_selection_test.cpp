@@ -45,7 +45,7 @@ class WindowSelectionTest : public QObject, WindowOnTest {
         if (view().camera().perspective)
             key(Qt::Key_5);
         key(Qt::Key_F);
-        rest(600);
+        rest();
     }
 
     QRect screenBox(const Box& box)
@@ -58,7 +58,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -152,7 +152,7 @@ private slots:
         QVERIFY(std::abs(length - box.sizes().x()) < 1e-3 * length);
         QTest::mouseMove(&view(), QPoint(8, 8));
         QTRY_VERIFY(view().regions().hovered().isEmpty());
-        QTest::qWait(200); // until it is drawn
+        drawn(); // until it is drawn
         const QImage seen = view().grabFramebuffer();
         for (const int aside : {-1, 0, 1}) { // it is wide
             const QColor color = seen.pixelColor(at(edge) + QPoint(0, aside));
@@ -198,7 +198,7 @@ private slots:
         QTest::mousePress(&view(), Qt::LeftButton, {}, all.topLeft());
         QTest::mouseMove(&view(), all.center());
         QTest::mouseMove(&view(), middle);
-        QTest::qWait(50);
+        drawn();
         QVERIFY(find<QWidget>("regionOverlay")->isVisible());
         picture("selection-box");
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle);
@@ -210,7 +210,7 @@ private slots:
         for (ObjectIndex object = 0; object < places.size(); ++object)
             if (std::abs(places[object].x() - box.center().x()) > 0.2 * spacing)
                 QCOMPARE(region.contains(0, object), places[object].x() < box.center().x());
-        QTest::qWait(100);
+        drawn();
         picture("selection-objects");
         key(Qt::Key_1);
         QVERIFY(!action("objects")->isChecked());
@@ -235,7 +235,7 @@ private slots:
         QVERIFY(inLasso > 0 && inLasso < snapshot().bodies[0].positions.size());
         for (const Region::Item object : selected().region().items.at(0))
             QVERIFY((at(snapshot().bodies[0].positions[object]) - center).manhattanLength() < 1.5 * reach);
-        QTest::qWait(100);
+        drawn();
         picture("selection-lasso");
 
         key(Qt::Key_3, Qt::AltModifier);
@@ -250,7 +250,7 @@ private slots:
                 std::lround(snapshot().bodies[0].positions[object].x() / document().content().spacing)));
         QVERIFY(static_cast<int>(columns.size()) >= *columns.rbegin() - *columns.begin());
         QVERIFY(columns.size() > 10);
-        QTest::qWait(100);
+        drawn();
         picture("selection-brush");
         const std::size_t before = painted.count();
         drag({left, left + QPoint(30, 0)}, Qt::ShiftModifier);
@@ -267,7 +267,7 @@ private slots:
         key(Qt::Key_2);
         const QPoint place = at(topOf(document().content().box)) + QPoint(6, 4);
         const auto colorThere = [&] {
-            QTest::qWait(200); // until it is drawn
+            drawn(); // until it is drawn
             return view().grabFramebuffer().pixelColor(place);
         };
         const QColor before = colorThere();
@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(selected().region().count(), std::size_t{5}); // all but the top
         QVERIFY(!selected().region().contains(0, top.items.at(0).front()));
         view().lookFrom(Vec3(0, 0, -1));
-        rest(400);
+        rest();
         click(Vec3(box.center().x(), box.center().y(), box.min().z())); // what is left has its face
         QCOMPARE(selected().region().count(), std::size_t{1});
         QVERIFY(selected().region() != top);
@@ -380,7 +380,7 @@ private slots:
         QCOMPARE(selected().region().level, Level::Connection);
         QCOMPARE(selected().region().count(), std::size_t{1});
         QVERIFY(reading().startsWith("1 connection, "));
-        QTest::qWait(100);
+        drawn();
         picture("selection-connection");
     }
 
@@ -393,7 +393,7 @@ private slots:
         QVERIFY(reading().startsWith("2 parts, "));
         auto* tree = find<QTreeWidget>("modelTree");
         QCOMPARE(tree->selectedItems().size(), 2);
-        QTest::qWait(100);
+        drawn();
         picture("selection-parts");
         key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(selected().region().isEmpty());
@@ -637,7 +637,7 @@ private slots:
         QTRY_VERIFY(!document().isGoing());
         QCOMPARE(document().selection(), (Selection{Selection::Kind::Body, 0}));
         QCOMPARE(selected().region(), regionOf(Level::Part, 0, {0}));
-        QTest::qWait(100);
+        seen();
         QVERIFY(snapshot().fixtures.empty());
     }
 
@@ -661,7 +661,7 @@ private slots:
         document().keepSet("skin", selected().region());
         key(Qt::Key_Escape);
         click(topOf(box));
-        QTest::qWait(200);
+        drawn();
         picture("selection-dark");
         m_window->features().preferences->setTheme(Theme::Light);
     }

@@ -45,7 +45,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -339,7 +339,7 @@ private slots:
         for (const char* name : {"filmBack", "filmRate-0"})
             QCOMPARE(action(name)->property("whyDisabled").toString(),
                      QString("Zuerst etwas simulieren und darauf zurücksehen."));
-        rest(500);
+        rest();
         picture("german");
         dialog()->close();
         const auto untranslated =
@@ -355,7 +355,7 @@ private slots:
             Preferences other = readPreferences();
             other.language = code;
             m_window->features().preferences->set(other);
-            rest(500);
+            rest();
             picture(code);
         }
         QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));
@@ -366,7 +366,7 @@ private slots:
 
     void whatAPersonNamedIsNotTranslated()
     {
-        openExample("bar.step");
+        openAndRefill("bar.step", 16);
         const QString part = QString::fromStdString(document().content().bodies[0]->name);
         Preferences german = readPreferences();
         german.language = "de";
@@ -444,7 +444,7 @@ private slots:
     void theFirstPageFitsASmallWindow()
     {
         m_window->resize(1280, 800);
-        rest(100);
+        rest();
         const auto* page = find<QScrollArea>("homePage");
         QVERIFY(page->isVisible());
         QCOMPARE(page->horizontalScrollBar()->maximum(), 0);
@@ -527,11 +527,11 @@ private slots:
                 all << button->geometry();
             return all;
         };
-        QTest::qWait(50);
+        drawn();
         const QList<QRect> before = places();
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_COMPARE(action("play")->text(), QString("Pause"));
-        QTest::qWait(50);
+        drawn();
         QCOMPARE(places(), before);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_COMPARE(action("play")->text(), QString("Play"));

@@ -70,7 +70,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -90,7 +90,7 @@ private slots:
         const Camera there = turned();
         jump(there, false);
         QVERIFY(!view().isSketch());
-        rest(300);
+        rest();
         const QImage full = seen();
         Camera elsewhere = there;
         elsewhere.orbit(-30, 10);
@@ -139,7 +139,7 @@ private slots:
         switchGravity();
         document().play();
         QTRY_VERIFY_WITH_TIMEOUT(view().isSketch() && snapshot().time > 0, patience);
-        rest(400);
+        QTest::qWait(400); // more than twice as long as things are taken to stand still
         QTRY_VERIFY_WITH_TIMEOUT(view().isSketch(), patience);
         document().pause();
         QTRY_VERIFY_WITH_TIMEOUT(!view().isSketch(), patience);
@@ -152,7 +152,7 @@ private slots:
         QTRY_VERIFY((side = m_window->findChild<SideView*>()) != nullptr && side->isVisible());
         side->setLongestFull(0);
         QTRY_VERIFY_WITH_TIMEOUT(!side->isSketch() && side->drawings() > 0, patience);
-        rest(300);
+        rest();
         Camera camera = side->camera();
         camera.orbit(20, 20);
         side->setCamera(camera);

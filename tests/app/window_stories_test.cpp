@@ -20,7 +20,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepareStories();
     }
 
@@ -173,11 +173,11 @@ private slots:
         QTest::mousePress(axis, Qt::LeftButton, {}, axis->placeOf(line.present));
         for (const double share : {0.7, 0.4, 0.1, 0.5}) {
             QTest::mouseMove(axis, axis->placeOf(share * line.present));
-            QTest::qWait(50);
+            drawn();
         }
         QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(0.5 * line.present));
         QTRY_VERIFY(view().isLookingBack());
-        QTest::qWait(200);
+        drawn();
         stage("looking-back");
         key(Qt::Key_Escape);
         QTRY_VERIFY(!view().isLookingBack());
@@ -397,7 +397,7 @@ private slots:
         stage("measured");
         key(Qt::Key_M, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
-        QTest::qWait(200);
+        drawn();
         stage("compared");
         answerFileDialog(file("report.pdf"));
         clickOn<QPushButton>("writeReport");
@@ -417,7 +417,7 @@ private slots:
         newWindow(m_services);
         m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
-        QTest::qWait(200);
+        drawn();
         stage("offered");
         clickOn<QPushButton>("recoveryRecover");
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
@@ -439,7 +439,7 @@ private slots:
         QTest::mouseMove(axis, axis->placeOf(line.present - 0.15));
         QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(line.present - 0.15));
         QTRY_VERIFY(view().isLookingBack());
-        QTest::qWait(200);
+        drawn();
         stage("looking-back");
         key(Qt::Key_Escape);
         QTRY_VERIFY(!view().isLookingBack());

@@ -41,7 +41,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -73,7 +73,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(pressesHard() && largestMove(*rest, *document().frame()) > 0.02 * document().size(),
                                  patience);
         QTRY_VERIFY(find<QLabel>("forceLabel0") != nullptr);
-        QTest::qWait(100);
+        drawn();
         picture("pressed");
         QVERIFY(find<QLabel>("toolForce")->text() != "0 N");
         QTest::keyRelease(&m_window->viewport(), Qt::Key_PageDown);
@@ -114,7 +114,7 @@ private slots:
         };
         const auto connections = static_cast<int>(Stage::connections);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().ratio > 0 && milliseconds(connections) > 0, patience);
-        rest(500);
+        rest();
         picture("performance");
         // What the panel says are the stages of the snapshot, on the way to a frame.
         double all = 0;
@@ -265,7 +265,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_5);
         QVERIFY(!m_window->viewport().camera().perspective);
         QTest::keyClick(m_window.get(), Qt::Key_O);
-        QTest::qWait(200);
+        drawn();
         picture("objects");
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
         QTRY_VERIFY((m_window->viewport().camera().towardsEye() + Vec3::UnitY()).norm() < 1e-6);
@@ -292,7 +292,7 @@ private slots:
     {
         openExample("bracket.step");
         m_window->features().preferences->setTheme(Theme::Dark);
-        QTest::qWait(200);
+        drawn();
         const QColor dark = m_window->palette().color(QPalette::Window);
         picture("dark");
         m_window->features().preferences->setTheme(Theme::Light);

@@ -84,7 +84,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -150,7 +150,7 @@ private slots:
         QTRY_VERIFY(document().appearance().chosenColor(1).has_value());
         QCOMPARE(textOf(*document().appearance().chosenColor(1)), std::string("#0ac81e"));
         wait();
-        QTest::qWait(100);
+        drawn();
         picture("tree-colored");
         m_window->activateWindow();
         action("fileColor")->trigger();
@@ -183,7 +183,7 @@ private slots:
         wait();
         QCOMPARE(document().fixtures().list().front().faces.size(), std::size_t{1});
         document().renameTool(snapshot().tools[0].id, "");
-        QTest::qWait(50);
+        seen();
         QCOMPARE(snapshot().tools[0].name, std::string("Block 1"));
     }
 
@@ -299,7 +299,7 @@ private slots:
         document().renamePart(0, "Other");
         document().toggleFace(0, 0);
         document().fixRegion(document().selected().region());
-        QTest::qWait(100);
+        seen();
         QVERIFY(snapshot().materials[0] == before && snapshot().fixtures.empty());
         QVERIFY(document().appearance().chosenName(0).empty());
         saveTo(file("locked.knead"));
@@ -319,7 +319,7 @@ private slots:
         key(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         key(Qt::Key_F);
-        rest(500);
+        rest();
         document().setLocked({Selection::Kind::Tool, 0}, true);
         ViewportWidget& view = m_window->viewport();
         const Vec3 start = snapshot().tools[0].pose.position;
@@ -329,7 +329,7 @@ private slots:
         QTest::mouseMove(&view, from + QPoint(90, 0));
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(90, 0));
         key(Qt::Key_Delete);
-        QTest::qWait(100);
+        seen();
         QCOMPARE(snapshot().tools.size(), std::size_t{1});
         QCOMPARE(snapshot().tools[0].pose.position, start);
         QVERIFY(m_window->banner().sentence().contains("Block 1"));
@@ -470,10 +470,10 @@ private slots:
         key(Qt::Key_B);
         QTRY_VERIFY(line("Block 1") != nullptr);
         m_window->resize(1280, 1000);
-        rest(300);
+        rest();
         picture("tree-dark");
         m_window->features().preferences->setTheme(Theme::Light);
-        QTest::qWait(100);
+        drawn();
         picture("tree-light");
     }
 };

@@ -18,7 +18,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The views need a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The views need a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -35,7 +35,7 @@ private slots:
         openExample("bracket.step");
         action("grid")->trigger();
         press(Qt::Key_F4, Qt::ShiftModifier);
-        QTest::qWait(200);
+        drawn();
         const Box box = document().content().box;
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right}) {
             SideView& side = *views().sideView(slot);
@@ -68,7 +68,7 @@ private slots:
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_2);
-        QTest::qWait(200);
+        drawn();
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right}) {
             const QPoint face = seenFace(slot);
             const QImage before = views().sideView(ViewSlot::front)->grabFramebuffer();
@@ -86,7 +86,7 @@ private slots:
     {
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
-        rest(300);
+        rest();
         std::array<Camera, 4> before = cameras();
         wheel(placeOf(ViewSlot::front).center(), 240);
         QVERIFY(views().camera(ViewSlot::front).distance < 0.8 * before[1].distance);
@@ -120,11 +120,11 @@ private slots:
         for (const ViewSlot slot : {ViewSlot::free, ViewSlot::top, ViewSlot::right})
             QCOMPARE(views().camera(slot).yaw, before[index(slot)].yaw);
         press(Qt::Key_F); // smoothly
-        rest(400);
+        rest();
         verifyLinked();
         press(Qt::Key_7); // and the wheel elsewhere does not stop it halfway
         wheel(placeOf(ViewSlot::top).center(), 120);
-        rest(400);
+        rest();
         QCOMPARE(views().name(ViewSlot::front).name(), QString("Top"));
         verifyLinked();
         press(Qt::Key_F5, Qt::ShiftModifier);
@@ -140,7 +140,7 @@ private slots:
         press(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         document().post(SetManipulatorMotion{0, DriveAt{Vec3(0, 0, -0.05)}});
-        QTest::qWait(200);
+        drawn();
         std::array<QImage, 4> before;
         std::array<std::size_t, 4> drawings{};
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right}) {
@@ -159,7 +159,7 @@ private slots:
         press(Qt::Key_V);
         SideView* hidden = views().sideView(ViewSlot::front);
         QVERIFY(!hidden->isVisible());
-        QTest::qWait(50);
+        drawn();
         const std::size_t count = hidden->drawings();
         const double then = snapshot().time;
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > then + 0.1, patience);
@@ -181,7 +181,7 @@ private slots:
         m_window->banner().hide(); // that the filling is coarse takes room
         action("grid")->trigger();
         press(Qt::Key_F2, Qt::ShiftModifier);
-        QTest::qWait(200);
+        drawn();
         SideView& front = *views().sideView(ViewSlot::front);
         const QImage plain = front.grabFramebuffer();
         action("color-displacement")->trigger();
@@ -202,7 +202,7 @@ private slots:
         bothThemes("section");
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_V, Qt::ShiftModifier); // before and after
-        rest(300);
+        rest();
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right})
             QTRY_VERIFY_WITH_TIMEOUT(views().sideView(slot)->findChild<QWidget*>("dividerHandle")->isVisible(),
                                      patience);
@@ -221,7 +221,7 @@ private slots:
     {
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
-        QTest::qWait(200);
+        drawn();
         openExample("bar.step");
         QTRY_VERIFY(!document().isEmpty());
         const Box box = document().content().box;
@@ -235,7 +235,7 @@ private slots:
         press(Qt::Key_V);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         press(Qt::Key_V);
-        QTest::qWait(200);
+        drawn();
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right})
             QVERIFY((views().camera(slot).target - document().content().box.center()).norm() < 1e-9);
         QVERIFY(!materialIn(views().sideView(ViewSlot::top)->grabFramebuffer()).isEmpty());
@@ -250,15 +250,15 @@ private slots:
         press(Qt::Key_F2, Qt::ShiftModifier);
         press(Qt::Key_1, Qt::KeypadModifier); // as wide as the view
         press(Qt::Key_F);
-        rest(500);
+        rest();
         const double before = view().camera().viewHeight();
         m_window->resize(1000, 800);
         QTRY_COMPARE(m_window->width(), 1000);
-        QTest::qWait(50);
+        drawn();
         const double after = view().camera().viewHeight();
         QVERIFY(after > 1.1 * before);
         press(Qt::Key_F);
-        rest(500);
+        rest();
         QVERIFY(std::abs(view().camera().viewHeight() / after - 1) < 1e-3);
     }
 
@@ -273,7 +273,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.4, patience);
         press(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing && document().isSettled());
-        rest(300);
+        rest();
         SideView& front = *views().sideView(ViewSlot::front);
         const QImage present = front.grabFramebuffer();
         auto* axis = find<TimelineAxis>("timelineAxis");

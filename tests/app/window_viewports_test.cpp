@@ -19,7 +19,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The views need a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The views need a display: run this test under xvfb-run.");
         prepare(Eyes::open);
     }
 
@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(placeOf(ViewSlot::top).bottom(), placeOf(ViewSlot::free).bottom());
         QVERIFY(placeOf(ViewSlot::top).bottom() < placeOf(ViewSlot::front).top());
         QVERIFY(placeOf(ViewSlot::front).right() < placeOf(ViewSlot::right).left());
-        QTest::qWait(200);
+        drawn();
         bothThemes("four");
 
         auto* menu = find<QMenu>("viewportsMenu");
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(namesShown(), QStringList({"Isometric", "Front"}));
         QVERIFY(placeOf(ViewSlot::free).right() < placeOf(ViewSlot::front).left());
         QTRY_COMPARE(views().findChildren<SideView*>().size(), 1);
-        QTest::qWait(200);
+        drawn();
         const Box box = document().content().box;
         for (const Vec3& corner : {Vec3(box.min()), Vec3(box.max())}) // what was whole stays whole in another cell
             QVERIFY(QRectF(QPointF(), placeOf(ViewSlot::front).size())
@@ -82,7 +82,7 @@ private slots:
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_2); // clicks select faces
-        QTest::qWait(200);
+        drawn();
         const Camera front = views().camera(ViewSlot::front);
         const Camera free = views().camera(ViewSlot::free);
         QVERIFY(action("perspective")->isChecked());
@@ -95,7 +95,7 @@ private slots:
         const Region& selected = document().selected().region();
         QCOMPARE(selected.level, Level::Face);
         QVERIFY(!selected.isEmpty());
-        QTest::qWait(200);
+        drawn();
         picture("viewports-selected");
 
         // The middle button turns at once, and the view has no name of a side any more.
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(views().activeSlot(), ViewSlot::right);
         QVERIFY(view().isOnCube(onCube));
         QCOMPARE(document().selected().region(), selected);
-        rest(400); // the side in the middle of its cube is the one that is looked at already
+        rest(); // the side in the middle of its cube is the one that is looked at already
         QCOMPARE(views().name(ViewSlot::right).name(), QString("Right"));
     }
 
@@ -171,7 +171,7 @@ private slots:
     {
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
-        QTest::qWait(200);
+        drawn();
         // It began in a view that was not active: who is not seen hears of no release.
         const QPoint start = placeOf(ViewSlot::front).center();
         mousePress(Qt::MiddleButton, start);
@@ -229,7 +229,7 @@ private slots:
     {
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
-        QTest::qWait(200);
+        drawn();
         const Camera right = views().camera(ViewSlot::right);
         doubleClick(views().name(ViewSlot::right));
         QVERIFY(views().isAlone() && action("viewAlone")->isChecked() && action("fourViews")->isChecked());
@@ -237,7 +237,7 @@ private slots:
         QCOMPARE(view().size(), views().size());
         QVERIFY(isSame(view().camera(), right));
         QVERIFY(!action("nextView")->isEnabled());
-        QTest::qWait(100);
+        drawn();
         picture("viewports-alone");
         doubleClick(views().name(ViewSlot::right));
         QVERIFY(!views().isAlone());
@@ -260,7 +260,7 @@ private slots:
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        QTest::qWait(200);
+        drawn();
         const Vec3 start = snapshot().tools[0].pose.position;
         const QPoint grabbed =
             placeOf(ViewSlot::front).topLeft() + views().sideView(ViewSlot::front)->widgetPosition(start)->toPoint();
@@ -279,7 +279,7 @@ private slots:
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        QTest::qWait(200);
+        drawn();
         const ToolState tool = snapshot().tools[0];
         SideView& side = *views().sideView(ViewSlot::front);
         const QPoint middle = side.widgetPosition(tool.pose.position)->toPoint();
@@ -292,10 +292,10 @@ private slots:
         QVERIFY(reach * side.camera().viewHeight() / side.height() > 0.5 * tool.size.x()); // beside the tool
         drag(handle, handle + QPoint(30, 0));
         QCOMPARE(views().activeSlot(), ViewSlot::front);
-        QTest::qWait(200);
+        seen();
         QCOMPARE(snapshot().tools[0].pose.position.x(), tool.pose.position.x());
         document().select({Selection::Kind::Tool, tool.id});
-        QTest::qWait(200);
+        drawn();
         drag(handle, handle + QPoint(30, 0));
         QTRY_VERIFY(snapshot().tools[0].pose.position.x() > tool.pose.position.x() + 1e-4);
     }

@@ -1,5 +1,6 @@
 // What a person is told where nothing can be drawn.
 #include "app/gui.h"
+#include "support/skip.h"
 #include "ui/run_window.h"
 
 #include <QApplication>
@@ -77,7 +78,7 @@ private slots:
         QFETCH(QString, value);
         QFETCH(QString, found);
         if (qEnvironmentVariable("QT_QPA_PLATFORM", "xcb") != "xcb" || qEnvironmentVariable("DISPLAY").isEmpty())
-            QSKIP("The program needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The program needs a display: run this test under xvfb-run.");
         QProcess program;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(name, value);
@@ -104,7 +105,7 @@ private slots:
     void theBoxSaysItAndEndsTheProgram()
     {
         if (qEnvironmentVariable("DISPLAY").isEmpty())
-            QSKIP("The box needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The box needs a display: run this test under xvfb-run.");
         const QTemporaryDir settings; // not those of a person
         qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
         qputenv("LC_ALL", "C.UTF-8");

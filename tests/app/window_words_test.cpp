@@ -24,7 +24,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -249,7 +249,7 @@ private slots:
     {
         const QString corpus = qEnvironmentVariable("KNEAD_CORPUS");
         if (corpus.isEmpty())
-            QSKIP("Set KNEAD_CORPUS to the folder of example files.");
+            KNEAD_SKIP_WITHOUT("corpus", "Set KNEAD_CORPUS to the folder of example files.");
         std::vector<Message> all;
         std::size_t refused = 0;
         for (const QString& path : filesIn(corpus + "/bad"))

@@ -25,7 +25,7 @@ private slots:
     void initTestCase()
     {
         if (!hasDisplay())
-            QSKIP("The view needs a display: run this test under xvfb-run.");
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
     }
 
@@ -279,7 +279,7 @@ private slots:
         writeCube("cube.stl", 1);
         m_window->open(QStringList(m_folder->filePath("cube.stl")));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && !document().isEmpty(), patience);
-        rest(500);
+        rest();
         settle();
         remember();
         ViewportWidget& view = m_window->viewport();

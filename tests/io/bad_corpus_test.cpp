@@ -1,4 +1,5 @@
 #include "io/importer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -134,7 +135,7 @@ void BadCorpusTest::fileIsImportedOrRefusedAsItShould_data()
 void BadCorpusTest::fileIsImportedOrRefusedAsItShould()
 {
     if (m_folder.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     QFETCH(std::string, file);
     const Expectation& expected = expectations().at(file);
     std::string words;
@@ -163,7 +164,7 @@ void BadCorpusTest::fileIsImportedOrRefusedAsItShould()
 void BadCorpusTest::everyFileIsExpected()
 {
     if (m_folder.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     for (const QString& name : QDir(m_folder).entryList(QDir::Files)) {
         const std::string file = name.toStdString();
         const bool isKnown = file == "BAD.tsv" || expectations().contains(file);

@@ -2,6 +2,7 @@
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/mass_properties.h"
 #include "io/importer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -56,7 +57,7 @@ void FillCorpusTest::closedSolidsFill()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     const Model model = importFile(path.toStdString());
     std::size_t open = 0;
     for (const Part& part : model.parts) {

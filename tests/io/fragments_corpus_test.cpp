@@ -4,6 +4,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/skin/fragments.h"
 #include "io/importer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -68,7 +69,7 @@ void FragmentsCorpusTest::brokenSolidsAreClosed()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     const Model model = importFile(path.toStdString());
     for (const Part& part : model.parts)
         if (part.canBeFilled() && !QTest::currentTestFailed())

@@ -2,6 +2,7 @@
 #include "io/export/divided_shape.h"
 #include "io/morph/brep_morph.h"
 #include "support/export_jobs.h"
+#include "support/skip.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -192,7 +193,7 @@ void HardFacesTest::pairsThatOnceCameBackUnsound()
     QFETCH(bool, isTwisted);
     const QString folder = qEnvironmentVariable("KNEAD_CORPUS");
     if (folder.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     const Model model = importFile((folder + "/open/" + file).toStdString());
     QCOMPARE(model.parts.size(), std::size_t{1});
     ExportJob job = jobOf(model, nullptr);

@@ -1,5 +1,6 @@
 #include "core/geometry/mass_properties.h"
 #include "io/importer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -54,7 +55,7 @@ void HealedCorpusTest::surfacesBecomeSolidsWhereTheyBoundAVolume()
 {
     const QString folder = qEnvironmentVariable("KNEAD_CORPUS");
     if (folder.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     QFETCH(int, row);
     const Expectation& expected = table[row];
     const Model model = importFile(folder.toStdString() + "/open/" + expected.file);

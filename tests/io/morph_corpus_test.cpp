@@ -2,6 +2,7 @@
 #include "core/simulation/simulation.h"
 #include "io/export/exporter.h"
 #include "io/importer.h"
+#include "support/skip.h"
 #include "support/space_maps.h"
 
 #include <QtTest>
@@ -182,7 +183,7 @@ void MorphCorpusTest::solidsComeThroughMapsAndFiles()
 {
     QFETCH(QString, file);
     if (file.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     const auto mostFaces = qEnvironmentVariable("KNEAD_MOST_FACES", "60").toULongLong();
     const Model model = importFile(file.toStdString());
     std::set<std::tuple<std::size_t, long>> seen; // instances of a part are tried once

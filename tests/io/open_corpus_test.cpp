@@ -1,6 +1,7 @@
 #include "core/aggregate/fill.h"
 #include "core/geometry/mass_properties.h"
 #include "io/importer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -124,7 +125,7 @@ void OpenCorpusTest::fileIsReadAsTheTableSays()
 {
     QFETCH(QStringList, row);
     if (row.isEmpty())
-        QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
     const QString file = cell(row, "file").section('/', -1);
     const Model model = importFile((m_folder + "/" + file).toStdString(), {.heal = false}); // the table has no repairs
     compareWithTable(model, row);

@@ -1,5 +1,6 @@
 #include "io/importer.h"
 #include "io/previewer.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -95,7 +96,7 @@ private slots:
     {
         QFETCH(QString, path);
         if (path.isEmpty())
-            QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+            KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
         const std::set<std::string> leaves = leavesOf(previewFile(path.toStdString()).tree);
         std::set<std::string> met;
         for (const Part& part : importFile(path.toStdString()).parts) {

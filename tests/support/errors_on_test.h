@@ -147,7 +147,8 @@ protected:
         editor->selectAll();
         QTest::keyClicks(editor, wanted);
         QTest::keyClick(editor, Qt::Key_Return);
-        QTest::qWait(100);
+        QTRY_VERIFY(tree->findChild<QLineEdit*>() == nullptr);
+        seen();
     }
 
     static void type(QuantityField* field, const char* text)

@@ -62,10 +62,19 @@ protected:
         settle();
     }
 
+    /// The same with two entries in its history: the import, and the coarse filling.
+    void openRefilledBar()
+    {
+        show(m_services);
+        QVERIFY(!action("undo")->isEnabled() && !action("redo")->isEnabled());
+        openAndRefill("bar.step", 12);
+        settle();
+    }
+
     /// Waits until everything that was done is in the history and shown.
     void settle()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
+        QVERIFY2(comesTrue([this] { return document().isSettled(); }), "something goes on and on");
         QVERIFY(snapshot().step == present().step && snapshot().time == present().time);
     }
 
@@ -83,9 +92,9 @@ protected:
     {
         const double end = snapshot().time + seconds;
         key(Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
+        QVERIFY2(comesTrue([&] { return snapshot().time >= end; }), "time stands still");
         key(Qt::Key_Space);
-        QTRY_VERIFY(!snapshot().playing);
+        QVERIFY2(comesTrue([this] { return !snapshot().playing; }), "time does not stand still");
     }
 
     /// In both themes and two sizes.
@@ -95,7 +104,7 @@ protected:
             for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
                 m_window->features().preferences->setTheme(theme);
                 m_window->resize(size);
-                QTest::qWait(200);
+                drawn();
                 const char* word = theme == Theme::Dark ? "dark" : "light";
                 picture(qPrintable(QString("%1-%2-%3").arg(name, word).arg(size.width())));
             }

@@ -35,12 +35,18 @@ protected:
     {
         return !m_window->tasks().isRunning() && document().history().isSettled() && !document().isGoing();
     }
-    void wait() { QTRY_VERIFY_WITH_TIMEOUT(isIdle(), patience); }
+    void wait()
+    {
+        QVERIFY2(comesTrue([this] { return isIdle(); }), "something goes on and on");
+    }
     /// A gesture may be gone on with for a second, and is an entry of the history only then.
     void waitForGesture()
     {
-        rest(1200);
-        QTRY_VERIFY_WITH_TIMEOUT(document().isPlaying() || !document().isAnythingUnderWay(), patience);
+        if (document().isPlaying())
+            QTest::qWait(1200);
+        QVERIFY2(comesTrue([this] { return document().isPlaying() || !document().isAnythingUnderWay(); }),
+                 "what was done does not end");
+        rest();
         wait();
     }
 

@@ -26,11 +26,7 @@ protected:
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
     /// Until the view has turned to where it was told to, and shows it.
-    void waitForView()
-    {
-        rest(100); // it may not have begun
-        QTest::qWait(50);
-    }
+    void waitForView() { rest(); }
 
     /// There may be no window manager that makes the window active again when a dialog is gone.
     void comeBack()
@@ -60,7 +56,7 @@ protected:
         answerFileDialog(path);
         key(Qt::Key_E, Qt::ControlModifier);
         QTRY_VERIFY(find<QDialog>("exportDialog") != nullptr && find<QDialog>("exportDialog")->isVisible());
-        QTest::qWait(100);
+        drawn();
         picture((m_story + "-export-dialog").toUtf8());
         choose("exportFormat", "STEP", "STEP (.step)");
         QTest::keyClick(find<QDialog>("exportDialog"), Qt::Key_Return);

@@ -148,7 +148,7 @@ protected:
     {
         for (const Theme theme : {Theme::Dark, Theme::Light}) {
             m_window->features().preferences->setTheme(theme);
-            QTest::qWait(150);
+            drawn();
             picture(qPrintable(QString("viewports-%1-%2").arg(name, theme == Theme::Dark ? "dark" : "light")));
         }
     }
