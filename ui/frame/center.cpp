@@ -14,11 +14,10 @@ namespace knead {
 
 namespace {
 
-constexpr const char* selectionBarShown = "selectionBar/shown";
-
-bool isBarWanted()
+/// Where the settings keep whether a person wants a bar.
+QString keyOf(const QToolBar& bar)
 {
-    return QSettings().value(selectionBarShown, true).toBool();
+    return bar.objectName() + "/shown";
 }
 
 } // namespace
@@ -40,29 +39,30 @@ Center::Center(Document& document, const QString& examplesFolder, QWidget* paren
     m_row->setSpacing(0);
     m_row->addWidget(m_pages, 1);
     column->addLayout(m_row, 1);
-    connect(m_pages, &QStackedWidget::currentChanged, this, &Center::showBar);
+    connect(m_pages, &QStackedWidget::currentChanged, this, &Center::showBars);
     connect(m_pages, &QStackedWidget::currentChanged, this, &Center::turned);
 }
 
-void Center::setBar(QToolBar& bar)
+void Center::addBar(QToolBar& bar, Side side)
 {
-    m_bar = &bar;
-    m_row->insertWidget(0, m_bar);
-    connect(m_bar->toggleViewAction(), &QAction::triggered, this,
-            [](bool on) { QSettings().setValue(selectionBarShown, on); });
-    showBar();
+    m_bars.push_back(&bar);
+    m_row->insertWidget(side == Side::left ? 0 : m_row->count(), &bar);
+    connect(bar.toggleViewAction(), &QAction::triggered, this,
+            [key = keyOf(bar)](bool on) { QSettings().setValue(key, on); });
+    showBars();
 }
 
-void Center::showBar()
+void Center::showBars()
 {
-    if (m_bar != nullptr)
-        m_bar->setVisible(hasViews() && isBarWanted());
+    for (QToolBar* bar : m_bars)
+        bar->setVisible(hasViews() && QSettings().value(keyOf(*bar), true).toBool());
 }
 
-/// The bar first: the view is laid out, and drawn, once.
+/// The bars first: the view is laid out, and drawn, once.
 void Center::showViews()
 {
-    m_bar->setVisible(isBarWanted());
+    for (QToolBar* bar : m_bars)
+        bar->setVisible(QSettings().value(keyOf(*bar), true).toBool());
     m_pages->setCurrentWidget(m_views);
 }
 

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QBoxLayout;
 class QStackedWidget;
 class QToolBar;
@@ -24,8 +26,9 @@ public:
     HomePage& home() const { return *m_home; }
     ViewGrid& views() const { return *m_views; }
 
-    /// It comes and goes with the views, unless a person does not want it.
-    void setBar(QToolBar& bar);
+    enum class Side { left, right };
+    /// A bar beside the views comes and goes with them, unless a person does not want it.
+    void addBar(QToolBar& bar, Side side);
     void showViews();
     bool hasViews() const; ///< they are shown, not the first page
 
@@ -33,14 +36,14 @@ signals:
     void turned(); ///< to the other of both
 
 private:
-    void showBar();
+    void showBars();
 
     Banner* m_banner;
-    QBoxLayout* m_row; ///< the bar comes before the pages
+    QBoxLayout* m_row; ///< the pages between the bars
     QStackedWidget* m_pages;
     HomePage* m_home;
     ViewGrid* m_views;
-    QToolBar* m_bar = nullptr;
+    std::vector<QToolBar*> m_bars;
 };
 
 } // namespace knead

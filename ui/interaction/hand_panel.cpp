@@ -8,12 +8,15 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <utility>
+
 namespace knead {
 
 HandPanel::HandPanel(HandSettings& settings, const QList<QAction*>& modes, QWidget* parent)
     : QWidget(parent)
     , m_settings(settings)
     , m_ownAxes(new QCheckBox(tr("Along the tool's own axes"), this))
+    , m_holdsRest(new QCheckBox(tr("Hold the rest"), this))
     , m_spaceMouse(makeChoice("spaceMouseDrives", this))
     , m_connection(new QLabel(this))
 {
@@ -42,6 +45,15 @@ HandPanel::HandPanel(HandSettings& settings, const QList<QAction*>& modes, QWidg
     add(tr("Steps per second"), "stepsPerSecond", Quantity::Rate, 0.1, 1000, &HandChoices::stepsPerSecond,
         tr("While a key is held; a tool never goes faster than its speed limit"));
     begin(tr("Pressing"), modes.value(2));
+    begin(tr("Brushes"), nullptr);
+    add(tr("Radius"), "sculptRadius", Quantity::Length, 0, 10, &HandChoices::sculptRadius,
+        tr("Of what a brush takes or presses; also with [ and ]"));
+    add(tr("Strength"), "sculptStrength", Quantity::Number, 0.1, 20, &HandChoices::sculptStrength,
+        tr("Of the force that suits the material; also with Shift and the mouse wheel"));
+    m_holdsRest->setObjectName("sculptHoldsRest");
+    m_holdsRest->setToolTip(
+        tr("What is far from the brush is held as by the other hand, where nothing else holds the part"));
+    form->addRow(m_holdsRest);
     begin(tr("Pulling"), modes.value(3));
     add(tr("Spring stiffness"), "pullStiffness", Quantity::Stiffness, 0, 1e12, &HandChoices::pullStiffness,
         tr("Of the spring between the mouse and the material"));
@@ -59,11 +71,15 @@ HandPanel::HandPanel(HandSettings& settings, const QList<QAction*>& modes, QWidg
     for (const Number& number : m_numbers)
         if (number.value == &HandChoices::pullStiffness || number.value == &HandChoices::pullLimit)
             number.field->setZeroText(tr("by the material"));
-    connect(m_ownAxes, &QCheckBox::toggled, this, [this](bool on) {
-        HandChoices choices = m_settings.choices();
-        choices.ownAxes = on;
-        m_settings.set(choices);
-    });
+        else if (number.value == &HandChoices::sculptRadius)
+            number.field->setZeroText(tr("by the part"));
+    for (const auto& [box, choice] :
+         {std::pair(m_ownAxes, &HandChoices::ownAxes), std::pair(m_holdsRest, &HandChoices::holdsRest)})
+        connect(box, &QCheckBox::toggled, this, [this, to = choice](bool on) {
+            HandChoices choices = m_settings.choices();
+            choices.*to = on;
+            m_settings.set(choices);
+        });
     connect(m_spaceMouse, &QComboBox::activated, this, [this](int index) {
         HandChoices choices = m_settings.choices();
         choices.spaceMouseDrivesTool = index == 1;
@@ -97,6 +113,7 @@ void HandPanel::showChoices()
     for (const Number& number : m_numbers)
         number.field->setValue(choices.*number.value);
     m_ownAxes->setChecked(choices.ownAxes);
+    m_holdsRest->setChecked(choices.holdsRest);
     m_spaceMouse->setCurrentIndex(choices.spaceMouseDrivesTool ? 1 : 0);
 }
 

@@ -38,6 +38,7 @@ private:
     HandSettings& m_settings;
     std::vector<Number> m_numbers;
     QCheckBox* m_ownAxes;
+    QCheckBox* m_holdsRest;
     QComboBox* m_spaceMouse;
     QLabel* m_connection;
 };

@@ -5,7 +5,7 @@
 #include "ui/interaction/hand_panel.h"
 #include "ui/interaction/key_hand.h"
 #include "ui/interaction/press_hand.h"
-#include "ui/interaction/pull_hand.h"
+#include "ui/interaction/sculpt_hand.h"
 #include "ui/interaction/space_hand.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <QToolBar>
 
 namespace knead {
 
@@ -21,19 +22,21 @@ Hands::Hands(const Workbench& bench)
     , m_bench(bench)
     , m_keyHand(new KeyHand(bench.document, bench.viewport, m_settings))
     , m_pressHand(new PressHand(bench.document, bench.viewport))
-    , m_pullHand(new PullHand(bench.document, bench.viewport, m_settings))
+    , m_sculptHand(new SculptHand(bench.document, bench.viewport, m_settings))
     , m_gizmoHand(new GizmoHand(bench.document, bench.viewport, m_settings))
     , m_spaceHand(new SpaceHand(bench.document, bench.viewport, m_settings))
 {
     makeActions();
     connectActions();
-    bench.availability.needBodies({m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_forces, m_forceTable});
+    bench.availability.needBodies({m_gizmo, m_ownAxes, m_keys, m_forces, m_forceTable});
+    bench.availability.needBodies(modes());
+    bench.availability.needBodies({m_brushChanges.begin(), m_brushChanges.end()});
 }
 
 QAction* Hands::make(const char* name, const QString& text, const char* picture, const QKeySequence& key,
                      const QString& tip, bool isCheckable)
 {
-    auto* action = new QAction(icon(picture), text, &m_bench.window);
+    auto* action = new QAction(picture == nullptr ? QIcon() : icon(picture), text, &m_bench.window);
     action->setObjectName(name);
     action->setShortcut(key);
     action->setCheckable(isCheckable);
@@ -55,8 +58,7 @@ void Hands::makeActions()
         make("press", tr("Press material"), "press", Qt::Key_F5,
              tr("Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force "
                 "limit holds it"));
-    m_pull = make("pull", tr("Pull material"), "pull", Qt::Key_F6,
-                  tr("Press on the part and pull its material with a spring"));
+    makeBrushes();
     m_spaceMouse = make("spaceMouseTool", tr("3D mouse drives tool"), "space-mouse", Qt::Key_F7,
                         tr("The 3D mouse moves the selected tool, not the camera"));
     m_forces = make("forces", tr("Forces on tools"), "force", Qt::Key_F8,
@@ -65,6 +67,71 @@ void Hands::makeActions()
     m_forcePlot = make("forcePlot", tr("Plot of forces"), "plot", Qt::Key_F9, tr("Show forces over time"), false);
     m_forceTable = make("exportForces", tr("Forces as table..."), "export", {},
                         tr("Write the forces over time as a CSV file"), false);
+}
+
+void Hands::makeBrushes()
+{
+    m_brushes = {
+        make("pull", tr("Pull material"), "pull", Qt::Key_F6,
+             tr("Press on the part and pull its material with a spring")),
+        make("sculptThumb", tr("Thumb"), "sculpt-thumb", Qt::Key_T,
+             tr("Press and hold: a ball goes in until its force limit holds it; draw it along for a groove")),
+        make("sculptSmooth", tr("Smooth"), "sculpt-smooth", Qt::Key_S,
+             tr("Roll a large ball over the surface, which levels what stands out")),
+        make("sculptFlatten", tr("Flatten"), "sculpt-flatten", Qt::Key_K,
+             tr("Press a disc down to the plane that the surface has where you begin")),
+        make("sculptPinch", tr("Pinch"), "sculpt-pinch", Qt::Key_C,
+             tr("Draw material together with four fingers, as for a ridge")),
+        make("sculptSmear", tr("Smear"), "sculpt-smear", Qt::Key_M,
+             tr("Take the surface along with a ball that grips it")),
+        make("sculptBend", tr("Bend here"), "sculpt-bend", Qt::Key_U,
+             tr("Tilt the material at the cursor towards where you draw")),
+        make("sculptTwist", tr("Twist here"), "sculpt-twist", Qt::Key_W,
+             tr("Turn the material at the cursor about its normal: draw to the right or left")),
+    };
+    m_mirrors = {
+        make("mirrorX", tr("Symmetric in X"), "mirror-x", Qt::SHIFT | Qt::Key_X,
+             tr("Brushes do the same on the other side of the middle, along X")),
+        make("mirrorY", tr("Symmetric in Y"), "mirror-y", Qt::SHIFT | Qt::Key_Y,
+             tr("Brushes do the same on the other side of the middle, along Y")),
+        make("mirrorZ", tr("Symmetric in Z"), "mirror-z", Qt::SHIFT | Qt::Key_Z,
+             tr("Brushes do the same on the other side of the middle, along Z")),
+    };
+    constexpr double factor = 1.15;
+    const auto add = [&](const char* name, const QString& text, Qt::Key key, const QString& tip, auto change) {
+        QAction* action = make(name, text, nullptr, key, tip, false);
+        connect(action, &QAction::triggered, this, change);
+        m_brushChanges.push_back(action);
+    };
+    add("brushSmaller", tr("Smaller brush"), Qt::Key_BracketLeft, tr("Its radius stands at the cursor"),
+        [this] { m_sculptHand->changeRadius(1 / factor); });
+    add("brushLarger", tr("Larger brush"), Qt::Key_BracketRight, tr("Its radius stands at the cursor"),
+        [this] { m_sculptHand->changeRadius(factor); });
+    add("brushWeaker", tr("Weaker brush"), Qt::Key_Minus, tr("Also with Shift and the mouse wheel"),
+        [this] { m_sculptHand->changeStrength(1 / factor); });
+    add("brushStronger", tr("Stronger brush"), Qt::Key_Plus, tr("Also with Shift and the mouse wheel"),
+        [this] { m_sculptHand->changeStrength(factor); });
+}
+
+QList<QAction*> Hands::modes() const
+{
+    QList<QAction*> modes{m_press};
+    modes.append({m_brushes.begin(), m_brushes.end()});
+    return modes;
+}
+
+/// Upright, beside the view.
+QToolBar* Hands::newSculptBar(QWidget* parent) const
+{
+    auto* bar = new QToolBar(tr("Sculpting"), parent);
+    bar->setObjectName("sculptBar");
+    bar->setOrientation(Qt::Vertical);
+    bar->setIconSize({20, 20});
+    bar->setStyleSheet("QToolBar { border: none; border-left: 1px solid palette(mid); padding: 6px 3px; }");
+    bar->addActions({m_brushes.begin(), m_brushes.end()});
+    bar->addSeparator();
+    bar->addActions({m_mirrors.begin(), m_mirrors.end()});
+    return bar;
 }
 
 void Hands::connectActions()
@@ -76,10 +143,15 @@ void Hands::connectActions()
             m_bench.viewport.setFocus();
         emit modeChanged();
     });
-    connect(m_pull, &QAction::toggled, this, [this](bool on) {
-        m_pullHand->setOn(on);
-        emit modeChanged();
-    });
+    for (std::size_t brush = 0; brush < m_brushes.size(); ++brush)
+        connect(m_brushes[brush], &QAction::toggled, this, [this, which = static_cast<SculptBrush>(brush)](bool on) {
+            if (on || m_sculptHand->brush() == which)
+                m_sculptHand->setBrush(on ? std::optional(which) : std::nullopt);
+            emit modeChanged();
+        });
+    keep(m_mirrors[0], &HandChoices::mirrorX);
+    keep(m_mirrors[1], &HandChoices::mirrorY);
+    keep(m_mirrors[2], &HandChoices::mirrorZ);
     connect(m_press, &QAction::toggled, this, [this](bool on) {
         m_pressHand->setOn(on);
         emit modeChanged();
@@ -94,7 +166,7 @@ void Hands::connectActions()
     keep(m_forces, &HandChoices::forces);
     keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
     connect(m_pressHand, &PressHand::refused, this, &Hands::problem);
-    connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
+    connect(m_sculptHand, &SculptHand::refused, this, &Hands::problem);
 }
 
 /// The action shows a choice of the person, and is one way to make it.
@@ -112,7 +184,7 @@ void Hands::keep(QAction* action, bool HandChoices::*choice)
 
 HandPanel* Hands::makePanel()
 {
-    auto* panel = new HandPanel(m_settings, {m_gizmo, m_keys, m_press, m_pull});
+    auto* panel = new HandPanel(m_settings, {m_gizmo, m_keys, m_press, m_brushes[0]});
     connect(m_spaceHand, &SpaceHand::connectionChanged, panel, &HandPanel::showSpaceMouse);
     return panel;
 }
@@ -120,7 +192,14 @@ HandPanel* Hands::makePanel()
 void Hands::addTo(QMenu* menu) const
 {
     menu->addSeparator();
-    menu->addActions({m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_spaceMouse});
+    menu->addActions({m_gizmo, m_ownAxes, m_keys, m_press});
+    QMenu* sculpt = menu->addMenu(tr("Sculpt"));
+    sculpt->addActions({m_brushes.begin(), m_brushes.end()});
+    sculpt->addSeparator();
+    sculpt->addActions({m_mirrors.begin(), m_mirrors.end()});
+    sculpt->addSeparator();
+    sculpt->addActions({m_brushChanges.begin(), m_brushChanges.end()});
+    menu->addAction(m_spaceMouse);
     menu->addSeparator();
     menu->addActions({m_forces, m_forcePlot, m_forceTable});
 }
@@ -141,8 +220,8 @@ QString Hands::hint() const
 {
     if (m_press->isChecked())
         return tr("Press and hold: the tool goes in until its force limit holds it   Esc: done");
-    if (m_pull->isChecked())
-        return tr("Press on the part and pull   Esc: done");
+    if (m_sculptHand->brush())
+        return tr("Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done");
     if (m_keys->isChecked())
         return tr("Keys drive tools   Shift: slower   Esc: done");
     return {};

@@ -4,12 +4,15 @@
 #include "ui/interaction/hand_settings.h"
 #include "ui/interaction/space_motion.h"
 
+#include <QList>
 #include <QObject>
 
 #include <memory>
+#include <vector>
 
 class QAction;
 class QMenu;
+class QToolBar;
 
 namespace knead {
 
@@ -17,7 +20,7 @@ class GizmoHand;
 class HandPanel;
 class KeyHand;
 class PressHand;
-class PullHand;
+class SculptHand;
 class SpaceHand;
 
 /// All ways in which a person's hands move tools and material in a view, with their actions and their panel.
@@ -33,14 +36,15 @@ public:
     /// Gives the keys back to the window. @return whether they drove tools
     bool leaveKeys();
     QString hint() const; ///< on what the mouse does now; empty: as always
-    QAction* pullAction() const { return m_pull; }
-    QAction* pressAction() const { return m_press; }
+    /// What the left button does to the material instead of selecting: pressing with a tool, and the brushes.
+    QList<QAction*> modes() const;
+    QToolBar* newSculptBar(QWidget* parent) const;
     QAction* forceTableAction() const { return m_forceTable; }
     QAction* forcePlotAction() const { return m_forcePlot; }
 
     const GizmoHand& gizmo() const { return *m_gizmoHand; }
     const KeyHand& keys() const { return *m_keyHand; }
-    const PullHand& pull() const { return *m_pullHand; }
+    const SculptHand& sculpting() const { return *m_sculptHand; }
     const PressHand& pressing() const { return *m_pressHand; }
     HandSettings& settings() { return m_settings; }
 
@@ -52,6 +56,7 @@ private:
     QAction* make(const char* name, const QString& text, const char* picture, const QKeySequence& key,
                   const QString& tip, bool isCheckable = true);
     void makeActions();
+    void makeBrushes();
     void connectActions();
     void keep(QAction* action, bool HandChoices::*choice);
 
@@ -59,14 +64,16 @@ private:
     HandSettings m_settings;
     KeyHand* m_keyHand; // owned by the view, as the others
     PressHand* m_pressHand;
-    PullHand* m_pullHand;
+    SculptHand* m_sculptHand;
     GizmoHand* m_gizmoHand; // asked first: numbers are typed into it while keys drive other tools
     SpaceHand* m_spaceHand;
     QAction* m_gizmo = nullptr;
     QAction* m_ownAxes = nullptr;
     QAction* m_keys = nullptr;
     QAction* m_press = nullptr;
-    QAction* m_pull = nullptr;
+    std::vector<QAction*> m_brushes;      ///< by SculptBrush
+    std::vector<QAction*> m_mirrors;      ///< x, y, z
+    std::vector<QAction*> m_brushChanges; ///< of radius and strength
     QAction* m_spaceMouse = nullptr;
     QAction* m_forces = nullptr;
     QAction* m_forcePlot = nullptr;

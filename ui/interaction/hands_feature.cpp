@@ -84,8 +84,8 @@ HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
     connect(m_hands->forceTableAction(), &QAction::triggered, this, &HandsFeature::askForForces);
     connect(m_hands, &Hands::problem, this, [this](const QString& sentence) { m_bench.notices.problem(sentence); });
     connectActions(modes);
-    modes.add(m_hands->pressAction());
-    modes.add(m_hands->pullAction());
+    for (QAction* mode : m_hands->modes())
+        modes.add(mode);
     m_hands->listen(bench.services.spaceMouse);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/document/document.h"
 #include "core/session/press_pose.h"
+#include "ui/document/document.h"
 #include "ui/interaction/view_hand.h"
 #include "ui/interaction/view_overlay.h"
 #include "ui/viewport/scene_picker.h"

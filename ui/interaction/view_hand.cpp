@@ -4,6 +4,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QWheelEvent>
 
 namespace knead {
 
@@ -36,6 +37,11 @@ bool ViewHand::eventFilter(QObject* watched, QEvent* event)
         return mouseMoved(static_cast<QMouseEvent&>(*event));
     case QEvent::MouseButtonRelease:
         return mouseReleased(static_cast<QMouseEvent&>(*event));
+    case QEvent::Wheel:
+        return wheelTurned(static_cast<QWheelEvent&>(*event));
+    case QEvent::Leave:
+        mouseLeft();
+        return false;
     case QEvent::ShortcutOverride:
         if (!wantsKey(static_cast<QKeyEvent&>(*event)))
             return false;

@@ -8,6 +8,7 @@
 
 class QKeyEvent;
 class QMouseEvent;
+class QWheelEvent;
 
 namespace knead {
 
@@ -27,6 +28,8 @@ protected:
     virtual bool mousePressed(QMouseEvent& /*event*/) { return false; }
     virtual bool mouseMoved(QMouseEvent& /*event*/) { return false; }
     virtual bool mouseReleased(QMouseEvent& /*event*/) { return false; }
+    virtual bool wheelTurned(QWheelEvent& /*event*/) { return false; }
+    virtual void mouseLeft() {} ///< it is over something else now
     /// Whether a key is this hand's now, whatever the window uses it for.
     virtual bool wantsKey(const QKeyEvent& /*event*/) const { return false; }
     virtual bool keyPressed(QKeyEvent& /*event*/) { return false; }
