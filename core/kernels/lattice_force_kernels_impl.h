@@ -144,10 +144,13 @@ KNEAD_INLINE void forEachDirectionBack(const Visit& visit)
         forEachDirectionBack<d - 1>(visit);
 }
 
-template <bool volumetric, bool partial>
+/// How much of a vector belongs to a run.
+enum class VectorPart { whole, some };
+
+template <bool volumetric, VectorPart part>
 KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
 {
-    const LaneBits mask = partial ? inside(i, a.begin, a.end) : LaneBits{};
+    const LaneBits mask = part == VectorPart::some ? inside(i, a.begin, a.end) : LaneBits{};
     const std::ptrdiff_t s = a.stride;
     const double* position = a.position + i;
     const double* velocity = a.velocity + i;
@@ -164,7 +167,7 @@ KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
         const Lanes approach =
             (load(velocity + j) - u) * dx + (load(velocity + j + s) - v) * dy + (load(velocity + j + 2 * s) - w) * dz;
         Lanes k = load(direction->stiffness + i);
-        if constexpr (partial)
+        if constexpr (part == VectorPart::some)
             k = masked(k, mask);
         const Lanes length =
             direction->nominalLength ? load(direction->nominalLength + i) : all(direction->uniformLength);
@@ -222,9 +225,9 @@ void addForcesOfRun(const ForceArguments& a)
 {
     for (std::size_t i = firstVector(a.begin, a.end); i < a.end; i += lanes) {
         if (i >= a.begin && i + lanes <= a.end)
-            addForcesOfVector<volumetric, false>(a, i);
+            addForcesOfVector<volumetric, VectorPart::whole>(a, i);
         else
-            addForcesOfVector<volumetric, true>(a, i);
+            addForcesOfVector<volumetric, VectorPart::some>(a, i);
     }
 }
 
@@ -334,7 +337,7 @@ KNEAD_INLINE Lanes volumeOf(const Lanes (&f)[3][3], const Lanes (&cofactor)[3][3
     return f[0][0] * cofactor[0][0] + f[0][1] * cofactor[0][1] + f[0][2] * cofactor[0][2];
 }
 
-template <bool partial>
+template <VectorPart part>
 KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i)
 {
     const Surroundings& a = arguments.at;
@@ -354,7 +357,7 @@ KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i
     const Lanes damped = softens ? 1 / (1 - dilatation) : all(1);
     const Lanes slope = (softens & (determinant < all(0))) ? all(0) : damped * damped * damped;
     const Lanes p = bulk * dilatation * slope * inverseSpacing / boundedVolumeRatio(determinant);
-    const Writer write{a, i, partial};
+    const Writer write{a, i, part == VectorPart::some};
     write(arguments.theta, dilatation);
     for (int c = 0; c < 3; ++c) {
         const OfColumns<Lanes> columns = timesInverse(cofactor, inverse, c);
@@ -369,9 +372,9 @@ void volumetricStress(const StressArguments& arguments)
     forEachVector(
         arguments.at, [&](std::size_t i) __attribute__((always_inline)) {
             if (i >= arguments.at.begin && i + lanes <= arguments.at.end)
-                stressOfVector<false>(arguments, i);
+                stressOfVector<VectorPart::whole>(arguments, i);
             else
-                stressOfVector<true>(arguments, i);
+                stressOfVector<VectorPart::some>(arguments, i);
         });
 }
 

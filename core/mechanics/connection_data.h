@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/aggregate/aggregate.h"
 #include "core/aggregate/lattice_runs.h"
 #include "core/aggregate/lattice_sweep.h"
 #include "core/aggregate/material_map.h"
+#include "core/aggregate/pieces.h"
 #include "core/kernels/tensor_law.h"
 #include "core/mechanics/connection_law.h"
 #include "core/mechanics/object_state.h"
@@ -59,6 +59,12 @@ struct ConnectionData {
     double nominalLength(const ConnectionId& connection) const
     {
         return valueAt(nominalLengths(connection.direction), connection.lower);
+    }
+
+    /// The two objects of a connection that was made, the lower one first.
+    std::array<ObjectIndex, 2> endsOf(const ConnectionId& connection) const
+    {
+        return {connection.lower, upperEnd(aggregate->lattice, connection)};
     }
 
     /// Calls visit(neighbor, connection) for the connections of an object that were made, broken ones among them.

@@ -1,7 +1,6 @@
 // Connections that bear too much break.
 #include "core/mechanics/connection_fracture.h"
 
-#include "core/aggregate/pieces.h"
 #include "core/mechanics/connection_parameters.h"
 #include "core/mechanics/connection_stress.h"
 #include "core/mechanics/kernel_views.h"
@@ -193,16 +192,11 @@ double energyAround(const ConnectionData& data, const ObjectState& state, const 
 
 } // namespace
 
-std::array<ObjectIndex, 2> endsOf(const ConnectionData& data, const ConnectionId& connection)
-{
-    return {connection.lower, upperEnd(data.aggregate->lattice, connection)};
-}
-
 void markBroken(ConnectionData& data, const ConnectionId& connection)
 {
     data.forgetEnergy();
     data.brokenAround.resize(data.aggregate->size(), 0);
-    const auto [lower, upper] = endsOf(data, connection);
+    const auto [lower, upper] = data.endsOf(connection);
     data.brokenAround[lower] |= std::uint32_t{1} << connection.direction;
     data.brokenAround[upper] |= std::uint32_t{1} << (Lattice::directionCount + connection.direction);
     // What has begun to break apart bears no more hydrostatic tension than springs do, of bulk modulus 5/3 mu.
@@ -247,7 +241,7 @@ double breakAll(ConnectionData& data, const ObjectState& state, const std::vecto
 {
     std::vector<ObjectIndex> objects;
     for (const ConnectionId& connection : connections)
-        for (const ObjectIndex end : endsOf(data, connection))
+        for (const ObjectIndex end : data.endsOf(connection))
             objects.push_back(end);
     std::sort(objects.begin(), objects.end());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
@@ -262,7 +256,7 @@ double breakAll(ConnectionData& data, const ObjectState& state, const std::vecto
     double released = data.tensors ? storedEnergy(data, before) : energyAround(data, state, objects, back);
     for (const BrokenConnection& connection : connections) {
         double& k = data.stiffness[connection.direction][connection.lower];
-        const auto [lower, upper] = endsOf(data, connection);
+        const auto [lower, upper] = data.endsOf(connection);
         const double length = (placeBefore(state, upper, back) - placeBefore(state, lower, back)).norm();
         const double stretch = length - data.nominalLength(connection);
         if (!data.tensors)

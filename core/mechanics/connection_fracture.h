@@ -23,7 +23,4 @@ void markBroken(ConnectionData& data, const ConnectionId& connection);
 /// The shape of an object some connections of which broke.
 void findLiveShape(ConnectionData& data, ObjectIndex object);
 
-/// The two objects of a connection that was made, the lower one first.
-std::array<ObjectIndex, 2> endsOf(const ConnectionData& data, const ConnectionId& connection);
-
 } // namespace knead

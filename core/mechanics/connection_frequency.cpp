@@ -35,16 +35,18 @@ std::vector<double> bondBounds(const ConnectionData& data, const ObjectState& st
         std::vector<Mat3> stiffness(end - begin, Mat3::Zero());
         for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
             const kernels::ObjectNumber lengths = data.nominalLengths(d);
-            const auto addTo = [&](ObjectIndex object, ObjectIndex lower, ObjectIndex upper) {
-                if (const double k = data.stiffness[d][lower]; k > 0)
-                    stiffness[object - begin] +=
-                        tangent(state.position.at(upper) - state.position.at(lower), k, valueAt(lengths, lower));
+            const auto addTo = [&](std::size_t object, std::size_t lower, std::size_t upper, std::size_t n) {
+                for (std::size_t s = 0; s < n; ++s)
+                    if (const double k = data.stiffness[d][lower + s]; k > 0)
+                        stiffness[object + s - begin] +=
+                            tangent(state.position.at(upper + s) - state.position.at(lower + s), k,
+                                    valueAt(lengths, lower + s));
             };
-            forEachPair(data.aggregate->lattice, d, begin, end,
-                        [&](ObjectIndex lower, ObjectIndex upper) { addTo(lower, lower, upper); });
-            forEachPair<ConnectionEnd::upper>(
+            forEachStretch(data.aggregate->lattice, d, begin, end,
+                           [&](std::size_t lower, std::size_t upper, std::size_t n) { addTo(lower, lower, upper, n); });
+            forEachStretch<ConnectionEnd::upper>(
                 data.aggregate->lattice, d, begin, end,
-                [&](ObjectIndex lower, ObjectIndex upper) { addTo(upper, lower, upper); });
+                [&](std::size_t lower, std::size_t upper, std::size_t n) { addTo(upper, lower, upper, n); });
         }
         Eigen::SelfAdjointEigenSolver<Mat3> solver;
         for (std::size_t i = begin; i < end; ++i) {

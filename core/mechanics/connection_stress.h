@@ -20,4 +20,16 @@ double storedEnergy(ConnectionData& data, const VectorArray& position);
 /// Objects with all 18 connections whose surroundings are flat or inside out: det F <= 0.
 std::size_t countInverted(ConnectionData& data, const ObjectState& state);
 
+/// F of all objects.
+class DeformationGradients {
+public:
+    /// @param theta written: ln det F less its rest value
+    DeformationGradients(const ConnectionData& data, const VectorArray& position, LaneVector<double>& theta);
+
+    Mat3 of(std::size_t object) const;
+
+private:
+    std::array<LaneVector<double>, 9> m_components; ///< by lattice column
+};
+
 } // namespace knead

@@ -40,16 +40,4 @@ void forEachSurroundings(const ConnectionData& data, const VectorArray& position
     });
 }
 
-/// F of all objects.
-class DeformationGradients {
-public:
-    /// @param theta written: ln det F less its rest value
-    DeformationGradients(const ConnectionData& data, const VectorArray& position, LaneVector<double>& theta);
-
-    Mat3 of(std::size_t object) const;
-
-private:
-    std::array<LaneVector<double>, 9> m_components; ///< by lattice column
-};
-
 } // namespace knead

@@ -1,7 +1,8 @@
 #include "core/mechanics/rubber_connections.h"
 
-#include "core/mechanics/connection_surroundings.h"
+#include "core/mechanics/connection_stress.h"
 #include "core/mechanics/hyperelastic_law.h"
+#include "core/task/parallel.h"
 
 #include <Eigen/Eigenvalues>
 

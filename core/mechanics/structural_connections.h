@@ -165,10 +165,7 @@ public:
     double leastDampingTime() const { return knead::leastDampingTime(m_data); }
 
     /// The two objects of a connection that was made, the lower one first.
-    std::array<ObjectIndex, 2> endsOf(const ConnectionId& connection) const
-    {
-        return knead::endsOf(m_data, connection);
-    }
+    std::array<ObjectIndex, 2> endsOf(const ConnectionId& connection) const { return m_data.endsOf(connection); }
 
     /// Calls visit(neighbor, connection) for the live connections of an object, forward and backward by direction.
     template <typename Visit>
