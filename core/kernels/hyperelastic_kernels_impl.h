@@ -93,12 +93,9 @@ KNEAD_INLINE void hyperelasticLawOfVector(const HyperelasticArguments& arguments
     Lanes inverse[6];
     loadInverseShape(a, i, inverse);
     const double taken = 0.5 * springs * a.spacing;
-    for (int c = 0; c < 3; ++c) {
-        const OfColumns<Lanes> columns = timesInverse(p, inverse, c);
-        write(arguments.stress[c], columns.u - taken * g.f[0][c]);
-        write(arguments.stress[3 + c], columns.v - taken * g.f[1][c]);
-        write(arguments.stress[6 + c], columns.w - taken * g.f[2][c]);
-    }
+    for (int c = 0; c < 3; ++c)
+        for (int column = 0; column < 3; ++column)
+            write(arguments.stress[3 * column + c], timesInverse(p, inverse, column, c) - taken * g.f[column][c]);
 }
 
 void hyperelasticLaw(const HyperelasticArguments& arguments)

@@ -293,30 +293,22 @@ KNEAD_INLINE void loadInverseShape(const Surroundings& a, std::size_t i, Lanes (
 
 // How a cell is deformed, for numbers and for lanes. Matrices are by lattice column: [column][world component].
 
-/// A component of the three columns of A K^-1.
+/// A component of a column of A K^-1.
 template <typename Real>
-struct OfColumns {
-    Real u, v, w;
-};
-
-template <typename Real>
-KNEAD_INLINE OfColumns<Real> timesInverse(const Real (&a)[3][3], const Real (&inverse)[6], int component)
+KNEAD_INLINE Real timesInverse(const Real (&a)[3][3], const Real (&inverse)[6], int column, int component)
 {
-    const Real u = a[0][component], v = a[1][component], w = a[2][component];
-    return {u * inverse[0] + v * inverse[3] + w * inverse[4], u * inverse[3] + v * inverse[1] + w * inverse[5],
-            u * inverse[4] + v * inverse[5] + w * inverse[2]};
+    constexpr int entry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+    return a[0][component] * inverse[entry[column][0]] + a[1][component] * inverse[entry[column][1]] +
+           a[2][component] * inverse[entry[column][2]];
 }
 
 /// F = M K^-1 / a.
 template <typename Real>
 KNEAD_INLINE void findGradient(const Real (&m)[3][3], const Real (&inverse)[6], Real inverseSpacing, Real (&f)[3][3])
 {
-    for (int c = 0; c < 3; ++c) {
-        const OfColumns<Real> columns = timesInverse(m, inverse, c);
-        f[0][c] = columns.u * inverseSpacing;
-        f[1][c] = columns.v * inverseSpacing;
-        f[2][c] = columns.w * inverseSpacing;
-    }
+    for (int c = 0; c < 3; ++c)
+        for (int column = 0; column < 3; ++column)
+            f[column][c] = timesInverse(m, inverse, column, c) * inverseSpacing;
 }
 
 /// Cofactors of F: F^-T = cof F / det F.
@@ -359,12 +351,9 @@ KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i
     const Lanes p = bulk * dilatation * slope * inverseSpacing / boundedVolumeRatio(determinant);
     const Writer write{a, i, part == VectorPart::some};
     write(arguments.theta, dilatation);
-    for (int c = 0; c < 3; ++c) {
-        const OfColumns<Lanes> columns = timesInverse(cofactor, inverse, c);
-        write(arguments.stress[c], p * columns.u);
-        write(arguments.stress[3 + c], p * columns.v);
-        write(arguments.stress[6 + c], p * columns.w);
-    }
+    for (int c = 0; c < 3; ++c)
+        for (int column = 0; column < 3; ++column)
+            write(arguments.stress[3 * column + c], p * timesInverse(cofactor, inverse, column, c));
 }
 
 void volumetricStress(const StressArguments& arguments)

@@ -56,18 +56,15 @@ void dilatationGradient(std::size_t count, const GradientArguments& arguments)
         const double determinant = f[0][0] * cofactor[0][0] + f[1][0] * cofactor[1][0] + f[2][0] * cofactor[2][0];
         const double weight = step * __builtin_sqrt(bulk[i] > 0 ? bulk[i] : 0);
         const double p = weight * inverseSpacing / boundedVolumeRatio(determinant);
-        const OfColumns<double> x = timesInverse(cofactor, inverse, 0);
-        const OfColumns<double> y = timesInverse(cofactor, inverse, 1);
-        const OfColumns<double> z = timesInverse(cofactor, inverse, 2);
-        g00[i] = static_cast<float>(p * x.u);
-        g10[i] = static_cast<float>(p * y.u);
-        g20[i] = static_cast<float>(p * z.u);
-        g01[i] = static_cast<float>(p * x.v);
-        g11[i] = static_cast<float>(p * y.v);
-        g21[i] = static_cast<float>(p * z.v);
-        g02[i] = static_cast<float>(p * x.w);
-        g12[i] = static_cast<float>(p * y.w);
-        g22[i] = static_cast<float>(p * z.w);
+        g00[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 0, 0));
+        g10[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 0, 1));
+        g20[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 0, 2));
+        g01[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 1, 0));
+        g11[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 1, 1));
+        g21[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 1, 2));
+        g02[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 2, 0));
+        g12[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 2, 1));
+        g22[i] = static_cast<float>(p * timesInverse(cofactor, inverse, 2, 2));
     }
 }
 

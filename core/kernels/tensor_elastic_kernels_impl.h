@@ -94,15 +94,15 @@ struct Deformation {
 
 KNEAD_INLINE Deformation deformationOf(const Surroundings& a, std::size_t i)
 {
+    const ShapeSums shape = shapeOfVector(a, i);
     Lanes inverse[6];
     loadInverseShape(a, i, inverse);
     Deformation g;
     g.isFlat = inverse[0] == all(0);
-    const ShapeSums shape = shapeOfVector(a, i);
     for (int c = 0; c < 3; ++c)
         for (int column = 0; column < 3; ++column)
             g.m[column][c] = shape.m[column][c];
-    findGradient(g.m, inverse, all(1 / a.spacing), g.f);
+    findGradient(shape.m, inverse, all(1 / a.spacing), g.f);
     for (int c = 0; c < 3; ++c)
         for (int column = 0; column < 3; ++column)
             g.f[column][c] = g.isFlat ? all(c == column ? 1 : 0) : g.f[column][c];

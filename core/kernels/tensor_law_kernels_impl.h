@@ -41,12 +41,9 @@ KNEAD_INLINE Lanes stressOfTensor(const TensorLawArguments& arguments, std::size
                            fading * g.cofactor[column][c] * inverseSpacing;
     Lanes inverse[6];
     loadInverseShape(a, i, inverse);
-    for (int c = 0; c < 3; ++c) {
-        const OfColumns<Lanes> columns = timesInverse(p, inverse, c);
-        write(arguments.stress[c], columns.u);
-        write(arguments.stress[3 + c], columns.v);
-        write(arguments.stress[6 + c], columns.w);
-    }
+    for (int c = 0; c < 3; ++c)
+        for (int column = 0; column < 3; ++column)
+            write(arguments.stress[3 * column + c], timesInverse(p, inverse, column, c));
     return energy;
 }
 
