@@ -9,9 +9,9 @@ namespace knead {
 /// Which ends of connections are looked at.
 enum class ConnectionEnd { lower, upper };
 
-/// Calls run(lower, upper, count) for every stretch of connections of direction `d` that have an end in [begin, end), by
-/// ascending objects: lower + i is connected with upper + i, i < count. Parameters are at the lower one. Objects without a
-/// neighbor may be among them, with a connection of weight 0.
+/// Calls run(lower, upper, count) for every stretch of connections of direction `d` that have an end in [begin, end),
+/// by ascending objects: lower + i is connected with upper + i, i < count. Parameters are at the lower one. Objects
+/// without a neighbor may be among them, with a connection of weight 0.
 template <ConnectionEnd which = ConnectionEnd::lower, typename Run>
 void forEachStretch(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run&& run)
 {

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// The innermost loops, compiled once per instruction set and picked at run time. What they compute does not depend on the set:
-/// every lane does the same IEEE operations, and fused multiply-add is off.
+/// The innermost loops, compiled once per instruction set and picked at run time. What they compute does not depend
+/// on the set: every lane does the same IEEE operations, and fused multiply-add is off.
 namespace knead::kernels {
 
 /// All kernels of one instruction set.

@@ -1,7 +1,8 @@
-// All kernels of kernels.h, compiled once per instruction set: each of kernels_{baseline,avx2,avx512}.cpp defines KNEAD_KERNEL_SET
-// to a namespace name and includes this file. What it includes uses no function of the standard library, since an inline one
-// compiled for a newer machine could be picked by the linker for everybody; functions of other headers are always inlined.
-// Plain loops say ivdep: outputs never overlap inputs, and there are too many arrays for the compiler to check that itself.
+// All kernels of kernels.h, compiled once per instruction set: each of kernels_{baseline,avx2,avx512}.cpp defines
+// KNEAD_KERNEL_SET to a namespace name and includes this file. What it includes uses no function of the standard
+// library, since an inline one compiled for a newer machine could be picked by the linker for everybody; functions of
+// other headers are always inlined. Plain loops say ivdep: outputs never overlap inputs, and there are too many
+// arrays for the compiler to check that itself.
 #pragma once
 
 #include "core/kernels/kernels.h"

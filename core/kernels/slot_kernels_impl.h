@@ -1,6 +1,6 @@
-// The loops of the linear solver over slots; see kernels_impl.h for how they are compiled. Each object gathers what its
-// neighbors give it, so that a thread writes to its own objects only, and every lane does the same whatever the width of the
-// instructions.
+// The loops of the linear solver over slots; see kernels_impl.h for how they are compiled. Each object gathers what
+// its neighbors give it, so that a thread writes to its own objects only, and every lane does the same whatever the
+// width of the instructions.
 #pragma once
 
 #include "core/kernels/tangent_kernels.h"

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The innermost loop of the vicinity calculation: one sphere against stretches of spheres. See kernels.h for how it is compiled
-/// and picked. It works in single precision and says of each pair that it is none, that it is one, or that single precision
-/// cannot tell; the caller then decides in double precision.
+/// The innermost loop of the vicinity calculation: one sphere against stretches of spheres. See kernels.h for how it
+/// is compiled and picked. It works in single precision and says of each pair that it is none, that it is one, or
+/// that single precision cannot tell; the caller then decides in double precision.
 namespace knead::sphere_kernels {
 
 /// One value per sphere, with `padding` more behind the last.

@@ -39,7 +39,8 @@ inline double valueAt(const kernels::ObjectNumber& number, std::size_t i)
 struct ConnectionData {
     ConnectionData(std::shared_ptr<const Aggregate> aggregate, const MaterialMap& materials);
 
-    /// What the connections of a block give to the objects from `begin` on: the last ones of the block and those behind it.
+    /// What the connections of a block give to the objects from `begin` on: the last ones of the block and those
+    /// behind it.
     struct Margin {
         std::size_t begin = 0;
         VectorArray force;

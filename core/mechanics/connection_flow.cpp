@@ -43,7 +43,8 @@ void setMetric(PlasticState& state, std::size_t object, const Mat3& metric)
         state.metric[n][object] = metric(rows[n], columns[n]);
 }
 
-/// W of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1 + q) [J].
+/// W of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1
+/// + q) [J].
 double workOfObjects(const TensorBody& body)
 {
     double work = 0;
@@ -71,8 +72,8 @@ void findStrains(ConnectionData& data, const VectorArray& position)
     });
 }
 
-/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it, and the work of their forces
-/// afterwards on it [J]
+/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it, and the work
+/// of their forces afterwards on it [J]
 std::pair<double, double> lengthen(ConnectionData& data, const VectorArray& position)
 {
     TensorBody& body = *data.tensors;
@@ -161,7 +162,8 @@ double acceptFlow(ConnectionData& data)
     return data.tensors->dissipatedEnergy;
 }
 
-/// C becomes what F makes of the shape at rest, all shear is forgotten; on the way there the elastic part of F shrinks.
+/// C becomes what F makes of the shape at rest, all shear is forgotten; on the way there the elastic part of F
+/// shrinks.
 double renormalize(ConnectionData& data, const ObjectState& state, const std::vector<std::uint8_t>& marks, double share)
 {
     rejectFlow(data);
@@ -207,8 +209,8 @@ double renormalize(ConnectionData& data, const ObjectState& state, const std::ve
     return before - storedEnergy(data, state.position);
 }
 
-/// C from nominal lengths alone, of states that were kept without it: the symmetric H with n^T H n = ln(l / l_rest) as well as
-/// it goes makes C = e^(2 H), which stays positive however the lengths were sheared.
+/// C from nominal lengths alone, of states that were kept without it: the symmetric H with n^T H n = ln(l / l_rest)
+/// as well as it goes makes C = e^(2 H), which stays positive however the lengths were sheared.
 void findMetric(ConnectionData& data)
 {
     PlasticState& plastic = data.changes.plastic;

@@ -17,15 +17,16 @@ namespace {
 
 constexpr std::size_t chunkSize = 256;
 
-// Where breaking has left less than this of what an object's connections say about a direction, they say too little: springs go
-// on alone.
+// Where breaking has left less than this of what an object's connections say about a direction, they say too little:
+// springs go on alone.
 constexpr double leastLiveShape = 0.45;
 
-// Strength varies from connection to connection by so much either way, so that an evenly loaded body breaks at one place.
+// Strength varies from connection to connection by so much either way, so that an evenly loaded body breaks at one
+// place.
 constexpr double strengthScatter = 0.05;
 
-// Of the connections that bear too much at one look, only those within this share of the worst break; the others may be
-// relieved by that.
+// Of the connections that bear too much at one look, only those within this share of the worst break; the others may
+// be relieved by that.
 constexpr double worstShare = 0.98;
 
 /// A number from -1 to 1 that belongs to a connection (Murmur3's finalizer).
@@ -212,9 +213,10 @@ void markBroken(ConnectionData& data, const ConnectionId& connection)
     }
 }
 
-/// An object some connections of which broke bears with the share of its volume that those left say something about, in the
-/// direction n in which they say least: min n^T K n / n^T K_made n. At the face of a crack that is a half, as for a cell that is
-/// cut there. With more, the object would bear on few connections, and be stiffer than steps allow.
+/// An object some connections of which broke bears with the share of its volume that those left say something about,
+/// in the direction n in which they say least: min n^T K n / n^T K_made n. At the face of a crack that is a half, as
+/// for a cell that is cut there. With more, the object would bear on few connections, and be stiffer than steps
+/// allow.
 void findLiveShape(ConnectionData& data, ObjectIndex object)
 {
     if (data.inverseShape[0][object] == 0)
@@ -245,7 +247,8 @@ double breakAll(ConnectionData& data, const ObjectState& state, const std::vecto
             objects.push_back(end);
     std::sort(objects.begin(), objects.end());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-    // In the semi-implicit scheme the force of a connection has acted up to half a step ago: what it had then is set free.
+    // In the semi-implicit scheme the force of a connection has acted up to half a step ago: what it had then is set
+    // free.
     const double back = step / 2;
     VectorArray before;
     if (data.tensors) {

@@ -4,7 +4,8 @@
 
 namespace knead {
 
-/// Finds all that follows from the materials and from what has changed; nominal lengths stay, broken connections stay broken.
+/// Finds all that follows from the materials and from what has changed; nominal lengths stay, broken connections stay
+/// broken.
 void updateMaterials(ConnectionData& data);
 
 /// Puts earlier changes back.
