@@ -1,6 +1,6 @@
 #include "core/integration/conjugate_gradients.h"
 
-#include "core/mechanics/tangent_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/task/block_sums.h"
 
 #include <array>
@@ -20,7 +20,7 @@ double dotProduct(const VectorArray& a, const VectorArray& b)
     return sumOverBlocks(a.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         std::array<double, kernels::sumLanes> lanes{};
         for (std::size_t c = 0; c < 3; ++c)
-            kernels::bestTangents().dot(end - begin, a.component(c) + begin, b.component(c) + begin, lanes.data());
+            kernels::best().dot(end - begin, a.component(c) + begin, b.component(c) + begin, lanes.data());
         return std::accumulate(lanes.begin(), lanes.end(), 0.0);
     });
 }
@@ -44,17 +44,17 @@ ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, Rig
         const auto length = static_cast<float>(report.end / curvature);
         forEachBlock(system.slotCount(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = 0; c < 3; ++c)
-                kernels::bestTangents().descend(end - begin, length, m_direction.component(c) + begin,
-                                                m_product.component(c) + begin, m_solution.component(c) + begin,
-                                                m_residual.component(c) + begin);
+                kernels::best().descend(end - begin, length, m_direction.component(c) + begin,
+                                        m_product.component(c) + begin, m_solution.component(c) + begin,
+                                        m_residual.component(c) + begin);
             preconditioner.begin(m_residual, m_preconditioned, begin, end);
         });
         const double next = preconditioner.finish(m_residual, m_preconditioned);
         const auto share = static_cast<float>(next / report.end);
         forEachBlock(system.slotCount(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = 0; c < 3; ++c)
-                kernels::bestTangents().turn(end - begin, share, m_preconditioned.component(c) + begin,
-                                             m_direction.component(c) + begin);
+                kernels::best().turn(end - begin, share, m_preconditioned.component(c) + begin,
+                                     m_direction.component(c) + begin);
         });
         report.end = next;
         ++report.iterations;

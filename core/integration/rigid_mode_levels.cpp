@@ -2,6 +2,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/integration/solver_settings.h"
+#include "core/kernels/kernels.h"
 
 #include <algorithm>
 #include <map>
@@ -222,7 +223,7 @@ void RigidModeLevels::solve(std::size_t number, const std::vector<float>& load, 
         return;
     }
     Level& level = m_levels[number];
-    const kernels::TangentKernels& kernel = kernels::bestTangents();
+    const kernels::Kernels& kernel = kernels::best();
     const kernels::BlockRows rows = level.view();
     kernel.sweepAhead(rows, load.data(), motion.data());
     level.left.resize(load.size());

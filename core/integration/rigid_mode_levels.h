@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
-#include "core/mechanics/tangent_kernels.h"
+#include "core/kernels/tangent_kernels.h"
 #include "core/mechanics/vector_array.h"
 
 #include <Eigen/Dense>

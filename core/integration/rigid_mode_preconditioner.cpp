@@ -1,7 +1,7 @@
 #include "core/integration/rigid_mode_preconditioner.h"
 
 #include "core/integration/solver_settings.h"
-#include "core/mechanics/tangent_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/task/block_sums.h"
 
 #include <Eigen/Dense>
@@ -77,7 +77,7 @@ void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
                 blocks[c] = &sum[c];
                 inverse[c] = &m_inverse[c][slot];
             }
-            kernels::bestTangents().invertBlocks(1, blocks, inverse);
+            kernels::best().invertBlocks(1, blocks, inverse);
         }
     };
     for (const std::uint32_t row : m_linkedRows)
@@ -117,7 +117,7 @@ void RigidModePreconditioner::invert(const std::array<LaneVector<double>, 6>& di
         blocks[c] = &diagonal[c][begin];
         inverse[c] = &m_inverse[c][begin];
     }
-    kernels::bestTangents().invertBlocks(end - begin, blocks, inverse);
+    kernels::best().invertBlocks(end - begin, blocks, inverse);
 }
 
 void RigidModePreconditioner::begin(const FloatArray& r, FloatArray& z, std::size_t begin, std::size_t end) const
@@ -125,14 +125,14 @@ void RigidModePreconditioner::begin(const FloatArray& r, FloatArray& z, std::siz
     const float* blocks[6];
     for (std::size_t c = 0; c < 6; ++c)
         blocks[c] = &m_inverse[c][begin];
-    kernels::bestTangents().multiplyBlocks(end - begin, blocks, r.data() + begin, z.data() + begin,
-                                           static_cast<std::ptrdiff_t>(r.stride()));
+    kernels::best().multiplyBlocks(end - begin, blocks, r.data() + begin, z.data() + begin,
+                                   static_cast<std::ptrdiff_t>(r.stride()));
 }
 
 double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
 {
     const auto stride = static_cast<std::ptrdiff_t>(r.stride());
-    const kernels::TangentKernels& kernel = kernels::bestTangents();
+    const kernels::Kernels& kernel = kernels::best();
     m_load.resize(8 * clusters());
     forEachBlock(clusters(), clustersAtATime, [&](std::size_t begin, std::size_t end) {
         for (std::size_t cluster = begin; cluster < end; ++cluster)

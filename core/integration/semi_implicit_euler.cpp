@@ -1,6 +1,6 @@
 #include "core/integration/semi_implicit_euler.h"
 
-#include "core/mechanics/lattice_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>

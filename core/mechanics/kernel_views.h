@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mechanics/lattice_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/mechanics/vector_array.h"
 
 namespace knead::kernels {

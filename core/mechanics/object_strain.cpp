@@ -1,5 +1,6 @@
 #include "core/mechanics/object_strain.h"
 
+#include "core/aggregate/lattice_sweep.h"
 #include "core/aggregate/pieces.h"
 #include "core/task/parallel.h"
 
@@ -31,26 +32,15 @@ public:
         markEnds(broken);
     }
 
-    /// Calls visit(neighbor, step, weight, connection) for each, `step` being the way to the neighbor at rest [m].
+    /// Calls visit(neighbor, step, weight) for each, `step` being the way to the neighbor at rest [m].
     template <typename Visit>
     void forEach(ObjectIndex object, Visit&& visit) const
     {
-        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-            const auto& segments = m_aggregate.lattice.segments[d];
-            const auto ahead =
-                std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= object; });
-            if (ahead != segments.end() && ahead->begin <= object && isAlive(d, object))
-                visit(object + static_cast<ObjectIndex>(ahead->offset), m_steps[d], m_aggregate.weight[d][object],
-                      ConnectionId{d, object});
-            const auto behind = std::partition_point(segments.begin(), segments.end(), [&](const auto& s) {
-                return s.end + static_cast<ObjectIndex>(s.offset) <= object;
-            });
-            if (behind == segments.end() || behind->begin + static_cast<ObjectIndex>(behind->offset) > object)
-                continue;
-            const ObjectIndex lower = object - static_cast<ObjectIndex>(behind->offset);
+        forEachNeighbor(m_aggregate.lattice, object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
+            const auto [d, lower] = connection;
             if (isAlive(d, lower))
-                visit(lower, -m_steps[d], m_aggregate.weight[d][lower], ConnectionId{d, lower});
-        }
+                visit(neighbor, lower == object ? m_steps[d] : Vec3(-m_steps[d]), m_aggregate.weight[d][lower]);
+        });
     }
 
     bool hasBroken() const { return !m_hasBroken.empty(); }
@@ -66,13 +56,8 @@ private:
     {
         if (!broken.empty())
             m_hasBroken.assign(m_aggregate.size(), 0);
-        for (const ConnectionId& connection : broken) {
-            const auto [direction, lower] = connection;
-            const auto& segments = m_aggregate.lattice.segments[direction];
-            const auto segment = std::partition_point(segments.begin(), segments.end(),
-                                                      [&, object = lower](const auto& s) { return s.end <= object; });
-            m_hasBroken[lower] = m_hasBroken[lower + static_cast<ObjectIndex>(segment->offset)] = 1;
-        }
+        for (const ConnectionId& connection : broken)
+            m_hasBroken[connection.lower] = m_hasBroken[upperEnd(m_aggregate.lattice, connection)] = 1;
     }
 
     const Aggregate& m_aggregate;
@@ -89,7 +74,7 @@ Mat3 deformationGradient(const ObjectSurroundings& surroundings, std::span<const
 {
     Mat3 moment = Mat3::Zero();
     Mat3 reference = Mat3::Zero();
-    surroundings.forEach(object, [&](ObjectIndex neighbor, const Vec3& step, double weight, const ConnectionId&) {
+    surroundings.forEach(object, [&](ObjectIndex neighbor, const Vec3& step, double weight) {
         moment += weight * (step + displacements[neighbor] - displacements[object]) * step.transpose();
         reference += weight * step * step.transpose();
     });

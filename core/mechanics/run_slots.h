@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/aggregate/lattice.h"
-#include "core/mechanics/slot_block.h"
+#include "core/kernels/slot_block.h"
 
 #include <cstdint>
 #include <vector>

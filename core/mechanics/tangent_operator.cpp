@@ -1,7 +1,6 @@
 #include "core/mechanics/tangent_operator.h"
 
 #include "core/mechanics/kernel_views.h"
-#include "core/mechanics/lattice_stretches.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -76,23 +75,22 @@ void TangentOperator::findConnections(const VectorArray& position, double step)
             for (std::size_t d = 0; d < m_directions; ++d) {
                 if (d >= Lattice::isotropicCount && lattice.segments[d].empty())
                     continue;
-                forEachForward(
-                    lattice, d, run.begin, run.end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
-                        for (std::size_t s = 0; s < n; s += chunkSize) {
-                            const std::size_t count = std::min(chunkSize, n - s);
-                            const std::size_t lower = i + s;
-                            const std::size_t at = slot + lower - run.begin;
-                            const double* stiffness = &m_connections->stiffness()[d][lower];
-                            m_connections->laws().fill(&ConnectionLaw::dampingTime, lower, j + s, count, time);
-                            kernels::bestTangents().connectionTangent(
-                                count, from(position, lower), from(position, j + s), stiffness,
-                                m_connections->nominalLengths(d, lower, count, length), time, step,
-                                {array(rootOf(d)) + at, array(rootOf(d) + 1) + at, array(rootOf(d) + 2) + at},
-                                array(acrossOf(d)) + at);
-                            for (std::size_t c = 0; m_hasBulk && c < count; ++c)
-                                array(stiffnessOf(d))[at + c] = static_cast<float>(stiffness[c]);
-                        }
-                    });
+                forEachStretch(lattice, d, run.begin, run.end, [&](std::size_t i, std::size_t j, std::size_t n) {
+                    for (std::size_t s = 0; s < n; s += chunkSize) {
+                        const std::size_t count = std::min(chunkSize, n - s);
+                        const std::size_t lower = i + s;
+                        const std::size_t at = slot + lower - run.begin;
+                        const double* stiffness = &m_connections->stiffness()[d][lower];
+                        m_connections->laws().fill(&ConnectionLaw::dampingTime, lower, j + s, count, time);
+                        kernels::best().connectionTangent(
+                            count, from(position, lower), from(position, j + s), stiffness,
+                            m_connections->nominalLengths(d, lower, count, length), time, step,
+                            {array(rootOf(d)) + at, array(rootOf(d) + 1) + at, array(rootOf(d) + 2) + at},
+                            array(acrossOf(d)) + at);
+                        for (std::size_t c = 0; m_hasBulk && c < count; ++c)
+                            array(stiffnessOf(d))[at + c] = static_cast<float>(stiffness[c]);
+                    }
+                });
             }
         }
     });
@@ -112,15 +110,17 @@ void TangentOperator::findGradients(const VectorArray& position, double step)
                 const int component = Lattice::directions[d][c];
                 if (component == 0)
                     continue;
-                const auto add = [&](double sign) {
-                    return [&, sign](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                        kernels::bestTangents().addShape(n, from(position, i), from(position, j),
-                                                         &m_connections->stiffness()[d][lower], sign * component,
-                                                         into(columns[c], i - begin));
-                    };
+                const auto addTo = [&](std::size_t object, std::size_t lower, std::size_t upper, std::size_t n) {
+                    kernels::best().addShape(n, from(position, lower), from(position, upper),
+                                             &m_connections->stiffness()[d][lower], component,
+                                             into(columns[c], object - begin));
                 };
-                forEachForward(lattice, d, begin, end, add(1));
-                forEachBackward(lattice, d, begin, end, add(-1));
+                forEachStretch(lattice, d, begin, end, [&](std::size_t lower, std::size_t upper, std::size_t n) {
+                    addTo(lower, lower, upper, n);
+                });
+                forEachStretch<ConnectionEnd::upper>(
+                    lattice, d, begin, end,
+                    [&](std::size_t lower, std::size_t upper, std::size_t n) { addTo(upper, lower, upper, n); });
             }
         for (std::size_t r = firstRun; r < lastRun; ++r) {
             const RunSlots::Run& run = m_places.runs()[r];
@@ -133,7 +133,7 @@ void TangentOperator::findGradients(const VectorArray& position, double step)
             }
             for (std::size_t c = 0; c < 6; ++c)
                 inverseShape[c] = &m_connections->inverseShape()[c][run.begin];
-            kernels::bestTangents().dilatationGradient(
+            kernels::best().dilatationGradient(
                 run.end - run.begin,
                 {shape, inverseShape, &m_connections->bulk()[run.begin], lattice.spacing, step, gradient});
         }
@@ -164,12 +164,11 @@ double TangentOperator::multiply(const float* u, float* product, std::size_t str
     const std::vector<SlotBlock>& blocks = m_places.blocks();
     if (m_hasBulk)
         forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
-            kernels::bestTangents().slotPressures(end - begin, &blocks[begin], tangent, u);
+            kernels::best().slotPressures(end - begin, &blocks[begin], tangent, u);
         });
     std::vector<double> energies((blocks.size() + slotBlocks - 1) / slotBlocks);
     forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
-        energies[begin / slotBlocks] =
-            kernels::bestTangents().slotProduct(end - begin, &blocks[begin], tangent, u, product);
+        energies[begin / slotBlocks] = kernels::best().slotProduct(end - begin, &blocks[begin], tangent, u, product);
     });
     return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
@@ -179,7 +178,7 @@ void TangentOperator::findDiagonal(const std::array<double*, 6>& diagonal) const
     const kernels::SlotTangent tangent = view(m_stride);
     const std::vector<SlotBlock>& blocks = m_places.blocks();
     forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
-        kernels::bestTangents().slotDiagonal(end - begin, &blocks[begin], tangent, diagonal.data());
+        kernels::best().slotDiagonal(end - begin, &blocks[begin], tangent, diagonal.data());
     });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/kernels/tangent_kernels.h"
 #include "core/mechanics/run_slots.h"
 #include "core/mechanics/structural_connections.h"
-#include "core/mechanics/tangent_kernels.h"
 
 #include <array>
 #include <vector>
@@ -80,14 +80,14 @@ void TangentOperator::forEachConnection(Visit&& visit) const
 {
     const Lattice& lattice = m_connections->aggregate().lattice;
     for (std::size_t d = 0; d < m_directions; ++d)
-        for (const Lattice::Segment& segment : lattice.segments[d])
-            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
-                if (m_connections->stiffness()[d][lower] > 0) {
-                    const std::size_t slot = m_places.of(lower);
-                    visit(lower, lower + static_cast<ObjectIndex>(segment.offset),
-                          Vec3(array(rootOf(d))[slot], array(rootOf(d) + 1)[slot], array(rootOf(d) + 2)[slot]),
-                          static_cast<double>(array(acrossOf(d))[slot]));
-                }
+        forEachPair(lattice, d, 0, lattice.size(), [&](ObjectIndex lower, ObjectIndex upper) {
+            if (m_connections->stiffness()[d][lower] > 0) {
+                const std::size_t slot = m_places.of(lower);
+                visit(lower, upper,
+                      Vec3(array(rootOf(d))[slot], array(rootOf(d) + 1)[slot], array(rootOf(d) + 2)[slot]),
+                      static_cast<double>(array(acrossOf(d))[slot]));
+            }
+        });
 }
 
 } // namespace knead

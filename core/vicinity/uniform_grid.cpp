@@ -186,7 +186,7 @@ private:
     std::uint64_t m_tests = 0;
 };
 
-UniformGrid::UniformGrid(const sphere_kernels::Kernels& kernels)
+UniformGrid::UniformGrid(const kernels::Kernels& kernels)
     : m_kernels(kernels)
 {
 }

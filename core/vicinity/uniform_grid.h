@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/kernels/kernels.h"
 #include "core/vicinity/cell_order.h"
-#include "core/vicinity/sphere_kernels.h"
 #include "core/vicinity/vicinity.h"
 
 #include <array>
@@ -16,7 +16,7 @@ namespace knead {
 /// the pairs do not depend on their number, nor on the instruction set.
 class UniformGrid final : public Vicinity {
 public:
-    explicit UniformGrid(const sphere_kernels::Kernels& kernels = sphere_kernels::best());
+    explicit UniformGrid(const kernels::Kernels& kernels = kernels::best());
 
     const PairBlocks& findPairs(std::span<const VicinitySphere> spheres, double margin) override;
 
@@ -68,7 +68,7 @@ private:
     std::uint64_t findPartners(const Level& level, std::span<const CellEntry> smaller, PairBlock& found) const;
     sphere_kernels::Query queryOf(const Level& level, std::uint32_t sphere) const;
 
-    const sphere_kernels::Kernels& m_kernels;
+    const kernels::Kernels& m_kernels;
     std::map<int, Level> m_levels;             ///< by octave of radius
     std::vector<CellEntry> m_smaller;          ///< spheres of lower octaves than the level in work
     std::vector<CellEntry> m_scratch;          ///< to sort in

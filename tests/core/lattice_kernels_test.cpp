@@ -1,5 +1,5 @@
 #include "core/aggregate/lattice_directions.h"
-#include "core/mechanics/lattice_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/mechanics/vector_array.h"
 
 #include <QTest>

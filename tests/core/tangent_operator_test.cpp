@@ -1,4 +1,4 @@
-#include "core/mechanics/tangent_kernels.h"
+#include "core/kernels/kernels.h"
 #include "core/mechanics/tangent_operator.h"
 #include "support/scenes.h"
 #include "support/thread_limit.h"
@@ -228,7 +228,7 @@ private slots:
     void everyInstructionSetGivesTheSameBits()
     {
         constexpr std::size_t count = 1003; // the remainder of every vector width is met
-        const auto run = [&](const kernels::TangentKernels& set) {
+        const auto run = [&](const kernels::Kernels& set) {
             std::mt19937 random(5);
             std::uniform_real_distribution<double> value(0.5, 1.5);
             std::vector<LaneVector<double>> in(40, LaneVector<double>(count));
@@ -260,8 +260,8 @@ private slots:
             set.turn(count, 0.3F, single[0].data(), single[21].data());
             return std::pair(out, single);
         };
-        const auto expected = run(kernels::availableTangents().front());
-        for (const kernels::TangentKernels& set : kernels::availableTangents()) {
+        const auto expected = run(kernels::available().front());
+        for (const kernels::Kernels& set : kernels::available()) {
             const auto other = run(set);
             for (std::size_t c = 0; c < expected.first.size(); ++c)
                 QVERIFY2(std::memcmp(other.first[c].data(), expected.first[c].data(), count * sizeof(double)) == 0,
@@ -285,7 +285,7 @@ private slots:
             block.offset[first < 32 ? 7 : 1] = first < 32 ? 32 : -32;
             blocks.push_back(block);
         }
-        const auto run = [&](const kernels::TangentKernels& set) {
+        const auto run = [&](const kernels::Kernels& set) {
             std::mt19937 random(7);
             std::uniform_real_distribution<float> value(0.5F, 1.5F);
             // 13 directions of 5 arrays, 9 of gradients, mass, 3 of u and of arms.
@@ -332,9 +332,9 @@ private slots:
             set.sweepBack(rows, &in[8], &out[19 * slotCount]);
             return std::tuple(out, diagonal, energy, dot);
         };
-        const auto expected = run(kernels::availableTangents().front());
+        const auto expected = run(kernels::available().front());
         QVERIFY(std::get<2>(expected) > 0);
-        for (const kernels::TangentKernels& set : kernels::availableTangents())
+        for (const kernels::Kernels& set : kernels::available())
             QVERIFY2(run(set) == expected, set.name);
     }
 };

@@ -312,7 +312,7 @@ private slots:
             const auto expected = pairsBy(VicinityMethod::bruteForce, spheres, 0.005);
             QVERIFY(!expected.empty());
             std::vector<VicinityPair> asFound;
-            for (const sphere_kernels::Kernels& kernels : sphere_kernels::available())
+            for (const kernels::Kernels& kernels : kernels::available())
                 for (const int threads : {1, 2, 4}) {
                     UniformGrid grid(kernels);
                     const auto order = onThreads(threads, [&] { return pairsAsFound(grid.findPairs(spheres, 0.005)); });

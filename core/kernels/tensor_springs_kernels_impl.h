@@ -1,0 +1,155 @@
+// What the springs of connections bear of eight objects when all of them follow F, see tensor_law.h.
+#pragma once
+
+#include "core/kernels/tensor_elastic_kernels_impl.h"
+
+namespace knead::kernels::KNEAD_KERNEL_SET {
+
+namespace {
+
+/// k of the connections of eight objects on both sides together, per direction.
+template <int d>
+KNEAD_INLINE Lanes stiffnessAround(const Surroundings& a, std::size_t i, UnsignedBits behind)
+{
+    Lanes sum{};
+    if ((a.forward >> d & 1U) != 0)
+        sum += load(a.stiffness[d] + i);
+    if ((a.backward >> d & 1U) != 0)
+        sum += masked(load(a.stiffness[d] + i - a.behind[d]), (behind >> d & 1) != 0);
+    return sum;
+}
+
+/// F o for an integer direction.
+template <int d>
+KNEAD_INLINE void along(const Gradient& g, Lanes (&step)[3])
+{
+    constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
+    for (int c = 0; c < 3; ++c) {
+        step[c] = Lanes{};
+        for (int column = 0; column < 3; ++column) {
+            if (o[column] > 0)
+                step[c] += g.f[column][c];
+            if (o[column] < 0)
+                step[c] -= g.f[column][c];
+        }
+    }
+}
+
+template <int d>
+constexpr double squaredStep =
+    latticeDirections[d][0] * latticeDirections[d][0] + latticeDirections[d][1] * latticeDirections[d][1] +
+    latticeDirections[d][2] * latticeDirections[d][2];
+
+/// How far connections that follow F are from l_b: rho = 1 - l_b^2 / |F D|^2 per direction.
+struct Excess {
+    Lanes rho[latticeDirectionCount];
+    bool isSmall; ///< all of them are within smallExcess
+};
+
+// Below this, series to the tenth power are exact to rounding, and much quicker than roots and logarithms.
+constexpr double smallExcess = 0.04;
+
+KNEAD_INLINE Excess excessOf(const Surroundings& a, const Gradient& g, const Symmetric& metric)
+{
+    // One division for all: each inverse is the product of the others times the inverse of the product.
+    Lanes squared[latticeDirectionCount];
+    Lanes products[latticeDirectionCount];
+    Lanes product = all(1);
+    const std::uint32_t used = a.forward | a.backward;
+    forEachDirection([&]<int d>() __attribute__((always_inline)) {
+        squared[d] = all(1);
+        if ((used >> d & 1U) != 0) {
+            Lanes step[3];
+            along<d>(g, step);
+            squared[d] = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + 1e-12; // finite where F is flat
+        }
+        products[d] = product;
+        product *= squared[d];
+    });
+    Lanes inverse = 1 / product;
+    Excess excess;
+    Lanes largest{};
+    forEachDirectionBack([&]<int d>() __attribute__((always_inline)) {
+        excess.rho[d] = Lanes{};
+        if ((used >> d & 1U) == 0)
+            return;
+        excess.rho[d] = (squared[d] - quadratic<d>(metric)) * (inverse * products[d]);
+        inverse *= squared[d];
+        largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
+    });
+    excess.isSmall = !anyBeyond(largest, smallExcess);
+    return excess;
+}
+
+/// x sum c_n x^n.
+template <int count>
+KNEAD_INLINE Lanes series(const double (&coefficients)[count], Lanes x)
+{
+    Lanes sum = all(coefficients[count - 1]);
+    for (int n = count - 2; n >= 0; --n)
+        sum = sum * x + coefficients[n];
+    return x * sum;
+}
+
+/// 1 - l_b / |F D| = 1 - sqrt(1 - rho).
+KNEAD_INLINE Lanes relativeStretch(Lanes rho, bool isSmall)
+{
+    constexpr double coefficients[] = {1.0 / 2,     1.0 / 8,     1.0 / 16,      5.0 / 128,     7.0 / 256,
+                                       21.0 / 1024, 33.0 / 2048, 429.0 / 32768, 715.0 / 65536, 2431.0 / 262144};
+    return isSmall ? series(coefficients, rho) : 1 - squareRoot(1 - rho);
+}
+
+/// ln(|F D| / l_b) = -ln(1 - rho) / 2.
+KNEAD_INLINE Lanes naturalStretch(Lanes rho, bool isSmall)
+{
+    constexpr double coefficients[] = {1.0 / 2,  1.0 / 4,  1.0 / 6,  1.0 / 8,  1.0 / 10,
+                                       1.0 / 12, 1.0 / 14, 1.0 / 16, 1.0 / 18, 1.0 / 20};
+    return isSmall ? series(coefficients, rho) : -0.5 * logarithm(1 - rho);
+}
+
+// 1 - l_b / |F D| of a connection at half its length. Where it is shorter, its share is taken off no further: it turns ever
+// more quickly with F, and steps that were chosen before cannot take that.
+constexpr double leastStretch = -1;
+
+/// What the connections of eight objects would bear if all followed F: sum_b k / 2 (1 - l_b / |F o|) F o o^T by lattice column,
+/// and the energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
+struct SpringShare {
+    Lanes pull[3][3];
+    Lanes energy; ///< 0 unless it was asked for
+};
+
+template <bool withEnergy>
+KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, UnsignedBits behind, const Gradient& g,
+                                     const Excess& excess)
+{
+    SpringShare share{};
+    forEachDirection([&]<int d>() __attribute__((always_inline)) {
+        if (((a.forward | a.backward) >> d & 1U) == 0)
+            return;
+        constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
+        const Lanes k = stiffnessAround<d>(a, i, behind);
+        Lanes step[3];
+        along<d>(g, step);
+        const Lanes whole = relativeStretch(excess.rho[d], excess.isSmall);
+        const LaneBits isShort = whole < all(leastStretch);
+        const Lanes stretch = isShort ? all(leastStretch) : whole;
+        const Lanes half = 0.5 * k * stretch;
+        if constexpr (withEnergy) {
+            // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
+            const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+            share.energy += 0.25 * k * squared * (isShort ? -0.5 - 0.5 * excess.rho[d] : stretch * stretch);
+        }
+        for (int c = 0; c < 3; ++c)
+            for (int column = 0; column < 3; ++column) {
+                if (o[column] > 0)
+                    share.pull[column][c] += half * step[c];
+                if (o[column] < 0)
+                    share.pull[column][c] -= half * step[c];
+            }
+    });
+    return share;
+}
+
+} // namespace
+
+} // namespace knead::kernels::KNEAD_KERNEL_SET

@@ -1,0 +1,254 @@
+// Plastic flow, re-normalization and recovery: how nominal lengths and plastic metrics change.
+#include "core/mechanics/connection_flow.h"
+
+#include "core/mechanics/connection_parameters.h"
+#include "core/mechanics/connection_stress.h"
+#include "core/mechanics/connection_surroundings.h"
+#include "core/mechanics/kernel_views.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace knead {
+
+namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+Mat3 symmetric(const Vec6& c)
+{
+    Mat3 matrix;
+    matrix << c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2];
+    return matrix;
+}
+
+Mat3 metricAt(const PlasticState& state, std::size_t object)
+{
+    Vec6 c;
+    for (std::size_t n = 0; n < 6; ++n)
+        c[static_cast<Eigen::Index>(n)] = state.metric[n][object];
+    return symmetric(c);
+}
+
+void setMetric(PlasticState& state, std::size_t object, const Mat3& metric)
+{
+    constexpr Eigen::Index rows[6] = {0, 1, 2, 0, 0, 1};
+    constexpr Eigen::Index columns[6] = {0, 1, 2, 1, 2, 2};
+    for (std::size_t n = 0; n < 6; ++n)
+        state.metric[n][object] = metric(rows[n], columns[n]);
+}
+
+/// W of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1
+/// + q) [J].
+double workOfObjects(const TensorBody& body)
+{
+    double work = 0;
+    for (std::size_t i = 0; i < body.share.size(); ++i)
+        work += body.dissipated[i] * 2 * body.share[i] / (1 + body.share[i]);
+    return work;
+}
+
+/// ln(L / l) of all connections, and the dilatation of all objects.
+void findStrains(ConnectionData& data, const VectorArray& position)
+{
+    TensorBody& body = *data.tensors;
+    const DirectionArray& lengths = data.changes.plastic.nominalLength;
+    forEachSurroundings(data, position, [&](const kernels::Surroundings& at) {
+        kernels::best().deformation(at, body.dilatation.data(), nullptr);
+    });
+    for (std::size_t i = 0; i < position.size(); ++i)
+        body.dilatation[i] += data.changes.restDilatation[i];
+    forEachBlock(position.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+            forEachStretch(data.aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t n) {
+                kernels::best().naturalStrain(n, kernels::from(position, i), kernels::from(position, j), &lengths[d][i],
+                                              &body.strain[d][i]);
+            });
+    });
+}
+
+/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it, and the work
+/// of their forces afterwards on it [J]
+std::pair<double, double> lengthen(ConnectionData& data, const VectorArray& position)
+{
+    TensorBody& body = *data.tensors;
+    const DirectionArray& before = data.changes.plastic.nominalLength;
+    std::vector<std::pair<double, double>> sums((position.size() + data.blockSize - 1) / data.blockSize);
+    forEachBlock(position.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
+        std::array<double, kernels::sumLanes> lanes{};
+        std::array<double, kernels::sumLanes> work{};
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+            forEachStretch(data.aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t n) {
+                kernels::best().lengthen(n, {.lower = kernels::from(position, i),
+                                             .upper = kernels::from(position, j),
+                                             .strain = &body.strain[d][i],
+                                             .lowerShare = &body.share[i],
+                                             .upperShare = &body.share[j],
+                                             .lowerAffine = &body.affine[d][i],
+                                             .upperAffine = &body.affine[d][j],
+                                             .lowerLengthening = &body.lengthening[d][i],
+                                             .upperLengthening = &body.lengthening[d][j],
+                                             .stiffness = &data.stiffness[d][i],
+                                             .before = &before[d][i],
+                                             .after = &body.flowed.nominalLength[d][i],
+                                             .dissipated = lanes.data(),
+                                             .work = work.data()});
+            });
+        sums[begin / data.blockSize] = {std::accumulate(lanes.begin(), lanes.end(), 0.0),
+                                        std::accumulate(work.begin(), work.end(), 0.0)};
+    });
+    std::pair<double, double> sum;
+    for (const auto& [dissipated, work] : sums) {
+        sum.first += dissipated;
+        sum.second += work;
+    }
+    return sum;
+}
+
+} // namespace
+
+void findFlow(ConnectionData& data, const VectorArray& position, double duration)
+{
+    TensorBody& body = *data.tensors;
+    if (body.share.size() != position.size()) {
+        body.flowed = data.changes.plastic;
+        body.share.assign(position.size(), 1);
+        body.dissipated.assign(position.size(), 0);
+        body.dilatation.assign(position.size(), 0);
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+            const std::size_t used = data.stiffness[d].empty() ? 0 : position.size();
+            body.strain[d].assign(used, 0);
+            body.affine[d].assign(used, 0);
+            body.lengthening[d].assign(used, 1);
+        }
+    }
+    findStrains(data, position);
+    const auto strain = pointersTo<const double*>(body.strain);
+    const auto metric = pointersTo<double*>(body.flowed.metric);
+    const auto affine = pointersTo<double*>(body.affine);
+    const auto lengthening = pointersTo<double*>(body.lengthening);
+    const kernels::FlowResult result{.duration = duration,
+                                     .connectionStrain = strain.data(),
+                                     .dilatation = body.dilatation.data(),
+                                     .metric = metric.data(),
+                                     .equivalentStrain = body.flowed.equivalentStrain.data(),
+                                     .damage = body.flowed.damage.data(),
+                                     .share = body.share.data(),
+                                     .affine = affine.data(),
+                                     .lengthening = lengthening.data(),
+                                     .dissipated = body.dissipated.data()};
+    applyTensorLaw(data, position, &result, WantedOfLaw::forces);
+    const double ofObjects = std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+    const auto [ofConnections, work] = lengthen(data, position);
+    body.dissipatedEnergy = ofConnections + ofObjects;
+    body.flowWork = work + workOfObjects(body);
+    data.hasTrial = true;
+}
+
+double acceptFlow(ConnectionData& data)
+{
+    if (!data.hasTrial)
+        return 0;
+    data.hasTrial = false;
+    std::swap(data.changes.plastic, data.tensors->flowed);
+    const bool hasFlowed =
+        std::any_of(data.tensors->share.begin(), data.tensors->share.end(), [](double s) { return s < 1; });
+    data.lengthVersion += hasFlowed ? 1 : 0;
+    return data.tensors->dissipatedEnergy;
+}
+
+/// C becomes what F makes of the shape at rest, all shear is forgotten; on the way there the elastic part of F
+/// shrinks.
+double renormalize(ConnectionData& data, const ObjectState& state, const std::vector<std::uint8_t>& marks, double share)
+{
+    rejectFlow(data);
+    makeLengthsOwn(data);
+    if (data.rubber() != nullptr)
+        data.rubber()->springsAreKnown = false;
+    ++data.lengthVersion;
+    const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
+    const double before = storedEnergy(data, state.position);
+    PlasticState& plastic = data.changes.plastic;
+    const DeformationGradients gradients(data, state.position, data.theta);
+    // Lengths are relative to C where there is one, and C has no volume.
+    const auto volumeOf = [&](std::size_t i) {
+        return data.tensors && data.inverseShape[0][i] != 0 ? data.theta[i] + data.changes.restDilatation[i] : 0.0;
+    };
+    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
+        forEachPair(data.aggregate->lattice, d, 0, state.size(), [&](ObjectIndex i, ObjectIndex j) {
+            if (data.stiffness[d][i] == 0 || !takesPart(i) || !takesPart(j))
+                return;
+            double& nominal = plastic.nominalLength[d][i];
+            const double length = (state.position.at(j) - state.position.at(i)).norm();
+            const double volume = (volumeOf(i) + volumeOf(j)) / 6;
+            nominal += share * (length * std::exp(-volume) - nominal);
+        });
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (!takesPart(i))
+            continue;
+        plastic.equivalentStrain[i] *= 1 - share;
+        plastic.damage[i] *= 1 - share;
+        if (data.inverseShape[0][i] == 0)
+            continue; // flat: it has no F
+        data.changes.restDilatation[i] += share * data.theta[i];
+        const Mat3 f = gradients.of(i);
+        if (f.determinant() < kernels::smallestVolumeRatio)
+            continue;
+        const Mat3 shape = f / std::cbrt(f.determinant());
+        const Mat3 elastic = shape * metricAt(plastic, i).inverse() * shape.transpose();
+        Mat3 kept = (1 - share) * elastic + share * elastic.trace() / 3 * Mat3::Identity();
+        kept /= std::cbrt(kept.determinant());
+        setMetric(plastic, i, shape.transpose() * kept.inverse() * shape);
+    }
+    data.forgetEnergy();
+    return before - storedEnergy(data, state.position);
+}
+
+/// C from nominal lengths alone, of states that were kept without it: the symmetric H with n^T H n = ln(l / l_rest)
+/// as well as it goes makes C = e^(2 H), which stays positive however the lengths were sheared.
+void findMetric(ConnectionData& data)
+{
+    PlasticState& plastic = data.changes.plastic;
+    const std::size_t count = data.aggregate->size();
+    std::vector<Mat6> normal(count, Mat6::Identity() * 1e-9);
+    std::vector<Vec6> right(count, Vec6::Zero());
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const Vec3 n = latticeVector(d).normalized();
+        const Vec6 form{n[0] * n[0], n[1] * n[1], n[2] * n[2], 2 * n[0] * n[1], 2 * n[0] * n[2], 2 * n[1] * n[2]};
+        const double rest = data.aggregate->lattice.direction(static_cast<int>(d)).norm();
+        forEachPair(data.aggregate->lattice, d, 0, count, [&](ObjectIndex i, ObjectIndex j) {
+            const double weight = data.aggregate->weight[d][i];
+            const double strain = std::log(plastic.nominalLength[d][i] / rest);
+            for (const ObjectIndex end : {i, j}) {
+                normal[end] += weight * form * form.transpose();
+                right[end] += weight * strain * form;
+            }
+        });
+    }
+    makeLengthsOwn(data);
+    for (std::size_t i = 0; i < count; ++i) {
+        Mat3 strain = symmetric(normal[i].ldlt().solve(right[i]));
+        strain -= strain.trace() / 3 * Mat3::Identity();
+        const Eigen::SelfAdjointEigenSolver<Mat3> solver(strain);
+        const Vec3 stretches = (2 * solver.eigenvalues()).array().exp();
+        setMetric(plastic, i, solver.eigenvectors() * stretches.asDiagonal() * solver.eigenvectors().transpose());
+    }
+}
+
+void recover(ConnectionData& data, double dt)
+{
+    const auto& materials = data.materials->materials();
+    std::vector<double> kept;
+    for (const Material& material : materials)
+        kept.push_back(material.heals() ? std::exp(-dt / material.healingTime) : 1);
+    LaneVector<double>& damage = data.changes.plastic.damage;
+    for (ObjectIndex i = 0; i < damage.size(); ++i)
+        damage[i] *= kept[data.materials->indexOf(i)];
+}
+
+} // namespace knead

@@ -1,3 +1,0 @@
-#define KNEAD_KERNEL_SET avx512
-#define KNEAD_KERNEL_NAME "AVX-512"
-#include "core/mechanics/lattice_kernels_impl.h"

@@ -1,3 +1,0 @@
-#define KNEAD_KERNEL_SET avx2
-#define KNEAD_KERNEL_NAME "AVX2"
-#include "core/mechanics/tangent_kernels_impl.h"
