@@ -95,6 +95,42 @@ private slots:
                 }
     }
 
+    /// The side that is short of room is filled to nine tenths, and the box lies in the middle of it, beside what lies on the view.
+    void fitFillsTheFreeArea()
+    {
+        const Box boxes[] = {{Vec3(-0.3, 0.1, 0), Vec3(0.1, 0.2, 0.05)},
+                             {Vec3(-0.02, -0.02, -0.02), Vec3(0.02, 0.02, 0.02)},
+                             {Vec3(0, 0, 0), Vec3(0.01, 0.01, 0.5)}};
+        const Vec3 directions[] = {{0, -1, 0}, {1, 0, 0},   {0, 0, 1},      {0, 1, 0},        {0, 0, -1},
+                                   {1, -1, 1}, {-1, 2, -1}, {3, 0.5, -0.5}, {-0.1, -0.2, 4.0}};
+        const Insets insets[] = {{}, {.left = 120, .bottom = 90}, {.top = 40, .right = 200}};
+        for (const WindowSize& size : {window, WindowSize{500, 900}})
+            for (const Insets& taken : insets)
+                for (const Box& box : boxes)
+                    for (const Vec3& direction : directions)
+                        for (const bool perspective : {true, false}) {
+                            Camera camera;
+                            camera.perspective = perspective;
+                            camera.lookFrom(direction);
+                            camera.fit(box, size, taken);
+                            Eigen::AlignedBox2d seen;
+                            for (int c = 0; c < 8; ++c) {
+                                const auto pixel = camera.project(box.corner(static_cast<Box::CornerType>(c)), size);
+                                QVERIFY(pixel.has_value());
+                                seen.extend(Eigen::Vector2d(pixel->x, pixel->y));
+                            }
+                            const Eigen::AlignedBox2d free(
+                                Eigen::Vector2d(taken.left, taken.top),
+                                Eigen::Vector2d(size.width - taken.right, size.height - taken.bottom));
+                            QVERIFY(free.contains(seen));
+                            const Eigen::Array2d share = seen.sizes().array() / free.sizes().array();
+                            QVERIFY(share.maxCoeff() > 0.85 && share.maxCoeff() < 0.95);
+                            Eigen::Index tight = 0;
+                            share.maxCoeff(&tight);
+                            QVERIFY(std::abs(seen.center()[tight] - free.center()[tight]) < 1e-6 * size.height);
+                        }
+    }
+
     void namedViewsKeepUpwardsUp()
     {
         Camera camera;

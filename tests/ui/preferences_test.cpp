@@ -35,6 +35,7 @@ private slots:
         chosen.threads = 3;
         chosen.smoothing = 8;
         chosen.turnsSmoothly = false;
+        chosen.navigation = "solidworks";
         writePreferences(chosen);
         QVERIFY(readPreferences() == chosen);
     }
@@ -55,6 +56,7 @@ private slots:
         settings.setValue("import/detail", "nan");
         settings.setValue("theme", "pink");
         settings.setValue("view/smoothing", 1000);
+        settings.setValue("view/navigation", "of no program");
         QVERIFY(readPreferences() == Preferences());
     }
 

@@ -261,6 +261,7 @@ void MainWindow::followPreferences(const Preferences& now)
     m_history->showAllowedMemory(now.historyMegabytes);
     projects().setKeepingInterval(now.keepingInterval);
     m_features->simulation->showThreads(now.threads);
+    showHint();
 }
 
 /// After another language or unit: what was put together of texts and numbers, and what is drawn.
@@ -328,9 +329,11 @@ QString MainWindow::hint() const
         return tr("Click faces to hold or free them   Esc: done");
     if (const QString ofHand = m_features->hands->hands().hint(); !ofHand.isEmpty())
         return ofHand;
+    const NavigationPreset& navigation = m_viewport->navigation();
+    const QString orbit = navigation.nameOf(NavigationMotion::orbit);
     if (m_document.selection().kind == Selection::Kind::Tool)
-        return tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit");
-    return tr("Middle: orbit   Shift+middle: pan   Wheel: zoom");
+        return tr("Arrows, PgUp, PgDn: drive   Shift: slower   %1: orbit").arg(orbit);
+    return tr("%1: orbit   %2: pan   Wheel: zoom").arg(orbit, navigation.nameOf(NavigationMotion::pan));
 }
 
 void MainWindow::showHint()

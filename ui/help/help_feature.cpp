@@ -5,6 +5,7 @@
 #include "ui/help/handbook.h"
 #include "ui/help/handbook_window.h"
 #include "ui/help/tour.h"
+#include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QApplication>
@@ -84,27 +85,30 @@ void HelpFeature::showAbout()
 
 void HelpFeature::showControls()
 {
+    const NavigationPreset& navigation = m_bench.viewport.navigation();
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), {}, QMessageBox::Close, &m_bench.window);
     box->setObjectName("controlsBox");
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::RichText);
-    box->setText(tr("<table cellpadding=3>"
-                    "<tr><td><b>Left button</b></td><td>select; drag a tool</td></tr>"
-                    "<tr><td><b>Middle button</b></td><td>orbit; with Shift or Ctrl pan</td></tr>"
-                    "<tr><td><b>Wheel</b></td><td>zoom to the cursor</td></tr>"
-                    "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>drive the selected tool; Shift is slower</td></tr>"
-                    "<tr><td><b>Space, . , Backspace</b></td><td>play or pause, one step, reset</td></tr>"
-                    "<tr><td><b>B, X, Del</b></td><td>add a block, fix faces, remove</td></tr>"
-                    "<tr><td><b>G, N</b></td><td>gravity, re-normalize</td></tr>"
-                    "<tr><td><b>O, H, E</b></td><td>objects, hide body, edges</td></tr>"
-                    "<tr><td><b>7, 0, numeric pad 1, 3</b></td><td>top, isometric, front, right; Ctrl: from the other "
-                    "side</td></tr>"
-                    "<tr><td><b>1, 2, 3, 4</b></td><td>clicks select parts, faces, edges, objects; Ctrl adds</td></tr>"
-                    "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
-                    "<tr><td><b>Ctrl+S</b></td><td>save the project; Ctrl+Shift+S under another name</td></tr>"
-                    "<tr><td><b>Shift+F1, F2, F4</b></td><td>one, two, four views; V: the active view alone</td></tr>"
-                    "<tr><td><b>Ctrl+K</b></td><td>find any command; F11: full screen</td></tr>"
-                    "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>"));
+    box->setText(
+        tr("<table cellpadding=3>"
+           "<tr><td><b>Left button</b></td><td>select; drag a tool</td></tr>"
+           "<tr><td><b>%1</b></td><td>orbit</td></tr>"
+           "<tr><td><b>%2</b></td><td>pan</td></tr>"
+           "<tr><td><b>Wheel</b></td><td>zoom to the cursor</td></tr>"
+           "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>drive the selected tool; Shift is slower</td></tr>"
+           "<tr><td><b>Space, . , Backspace</b></td><td>play or pause, one step, reset</td></tr>"
+           "<tr><td><b>B, X, Del</b></td><td>add a block, fix faces, remove</td></tr>"
+           "<tr><td><b>G, N</b></td><td>gravity, re-normalize</td></tr>"
+           "<tr><td><b>O, H, E</b></td><td>objects, hide body, edges</td></tr>"
+           "<tr><td><b>0, 7, 8, 9</b></td><td>isometric, top, front, right; Ctrl: from the other side</td></tr>"
+           "<tr><td><b>1, 2, 3, 4</b></td><td>clicks select parts, faces, edges, objects; Ctrl adds</td></tr>"
+           "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
+           "<tr><td><b>Ctrl+S</b></td><td>save the project; Ctrl+Shift+S under another name</td></tr>"
+           "<tr><td><b>Shift+F1, F2, F4</b></td><td>one, two, four views; V: the active view alone</td></tr>"
+           "<tr><td><b>Ctrl+K</b></td><td>find any command; F11: full screen</td></tr>"
+           "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>")
+            .arg(navigation.nameOf(NavigationMotion::orbit), navigation.nameOf(NavigationMotion::pan)));
     box->open();
 }
 

@@ -134,7 +134,7 @@ bool GizmoHand::mouseMoved(QMouseEvent& event)
 {
     const QPointF before = std::exchange(m_cursor, event.position());
     if (m_drag) {
-        if (event.buttons() & Qt::MiddleButton) // the view turns
+        if (m_view.navigatesWith(event.buttons()))
             return false;
         if (!(event.buttons() & Qt::LeftButton)) // let go while a number is typed
             return true;

@@ -172,7 +172,7 @@ bool PressHand::mouseMoved(QMouseEvent& event)
         return false;
     m_cursor = event.position();
     m_overlay->refresh();
-    return (event.buttons() & Qt::MiddleButton) == 0; // with which the view turns
+    return !m_view.navigatesWith(event.buttons());
 }
 
 /// With every picture: a new thumb goes down as soon as it is there, and is selected, so that its force can be typed; one that is

@@ -210,7 +210,7 @@ bool SculptHand::mouseMoved(QMouseEvent& event)
             hover();
         return false;
     }
-    if (event.buttons() & Qt::MiddleButton) // the view turns
+    if (m_view.navigatesWith(event.buttons()))
         return false;
     m_stroke->moveTo(m_view.rayAt(m_cursor).onPlane(m_start, m_view.camera().towardsEye()));
     m_overlay->refresh();

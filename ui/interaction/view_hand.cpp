@@ -32,7 +32,8 @@ bool ViewHand::eventFilter(QObject* watched, QEvent* event)
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: // the second of two fast presses
-        return mousePressed(static_cast<QMouseEvent&>(*event));
+        return !m_view.isForNavigation(static_cast<QMouseEvent&>(*event)) &&
+               mousePressed(static_cast<QMouseEvent&>(*event));
     case QEvent::MouseMove:
         return mouseMoved(static_cast<QMouseEvent&>(*event));
     case QEvent::MouseButtonRelease:

@@ -25,6 +25,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
+    /// Of what does not move the view.
     virtual bool mousePressed(QMouseEvent& /*event*/) { return false; }
     virtual bool mouseMoved(QMouseEvent& /*event*/) { return false; }
     virtual bool mouseReleased(QMouseEvent& /*event*/) { return false; }

@@ -92,8 +92,9 @@ bool PickTool::eventFilter(QObject* watched, QEvent* event)
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
-        if (auto* mouse = static_cast<QMouseEvent*>(event);
-            mouse->button() == Qt::LeftButton && !m_view.isOnCube(mouse->position())) {
+        if (auto* mouse = static_cast<QMouseEvent*>(event); mouse->button() == Qt::LeftButton &&
+                                                            !m_view.isForNavigation(*mouse) &&
+                                                            !m_view.isOnCube(mouse->position())) {
             m_hasPress = true;
             take(mouse->position());
             return true;

@@ -1,5 +1,7 @@
 #include "ui/preferences/preferences.h"
 
+#include "ui/viewport/navigation.h"
+
 #include <QSettings>
 #include <QThread>
 
@@ -26,6 +28,7 @@ void visit(Visitor&& visitor, Values& values)
     visitor("threads", values.threads, 0, 1024);
     visitor("view/smoothing", values.smoothing, 1, 16);
     visitor("view/turnsSmoothly", values.turnsSmoothly);
+    visitor("view/navigation", values.navigation);
 }
 
 struct Reader {
@@ -85,6 +88,7 @@ Preferences readPreferences()
     const QSettings settings;
     Preferences preferences;
     visit(Reader{settings}, preferences);
+    preferences.navigation = navigationPreset(preferences.navigation).name;
     const auto look = std::ranges::find(lookNames, settings.value("theme").toString().toStdString());
     if (look != lookNames.end())
         preferences.look = static_cast<Preferences::Look>(look - lookNames.begin());

@@ -16,12 +16,13 @@ struct Preferences {
     int historyMegabytes = 512;              ///< that the moments of the history may take, 16 to 65536
     int filmMegabytes = 256;                 ///< that pictures for looking back may take, 16 to 65536
     std::chrono::seconds keepingInterval{3}; ///< between keepings of unsaved work, 1 to 60
-    double detail = 5e-4;      ///< how far triangles may lie beside the surfaces of files, of the size of a part
-    int importMinutes = 0;     ///< that reading a file may take; 0: by its size
-    int importGibibytes = 0;   ///< the same in memory
-    int threads = 0;           ///< that compute; 0: all that the machine has
-    int smoothing = 4;         ///< samples of a pixel in the view: 1, 2, 4 or 8
-    bool turnsSmoothly = true; ///< the view glides from one direction to another
+    double detail = 5e-4;         ///< how far triangles may lie beside the surfaces of files, of the size of a part
+    int importMinutes = 0;        ///< that reading a file may take; 0: by its size
+    int importGibibytes = 0;      ///< the same in memory
+    int threads = 0;              ///< that compute; 0: all that the machine has
+    int smoothing = 4;            ///< samples of a pixel in the view: 1, 2, 4 or 8
+    bool turnsSmoothly = true;    ///< the view glides from one direction to another
+    QString navigation = "knead"; ///< name of the NavigationPreset: which drags of the mouse orbit, pan and zoom
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

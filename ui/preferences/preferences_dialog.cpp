@@ -6,6 +6,7 @@
 #include "ui/language/said.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
+#include "ui/viewport/navigation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -171,6 +172,14 @@ void PreferencesDialog::addFilesPage()
 void PreferencesDialog::addViewPage()
 {
     QFormLayout* form = addPage(tr("3D view"));
+    std::vector<Choice> presets;
+    for (const NavigationPreset& preset : navigationPresets())
+        presets.push_back({said(Message("Navigation", preset.title)), QString(preset.name)});
+    addChoice(
+        form, tr("Mouse as in"), "preferenceNavigation", presets,
+        [](const Preferences& p) { return QVariant(p.navigation); },
+        [](Preferences& p, const QVariant& value) { p.navigation = value.toString(); });
+    addNote(form, tr("Which buttons orbit, pan and zoom; the status bar tells. The wheel zooms to the cursor."));
     addChoice(
         form, tr("Smooth edges"), "preferenceSmoothing",
         {{tr("Off"), 1}, {tr("2 samples"), 2}, {tr("4 samples"), 4}, {tr("8 samples"), 8}},

@@ -104,6 +104,7 @@ void PreferencesFeature::apply()
         m_bench.services.limitThreads(static_cast<unsigned>(m_now.threads));
     m_bench.views.setSamples(m_now.smoothing);
     m_bench.viewport.setTurningSmoothly(m_now.turnsSmoothly);
+    m_bench.viewport.setNavigation(navigationPreset(m_now.navigation));
     emit applied(m_now);
 }
 

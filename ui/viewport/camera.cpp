@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace knead {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double radiansPerPixel = 0.0075;
-constexpr double margin = 1.3;            // of free space around a fitted box
+constexpr double fittedShare = 0.9;       // of the free area, on the side that is short of room
 constexpr double smallestDistance = 1e-6; // [m]
 constexpr double largestDistance = 1e6;   // [m]
 
@@ -25,6 +26,33 @@ Eigen::Vector2d centered(const Pixel& pixel, const WindowSize& window)
 {
     return {(2 * pixel.x - window.width) / window.height, 1 - 2 * pixel.y / window.height};
 }
+
+/// Places that are to be seen between two lines of the window, see Camera::fit().
+class FittedSide {
+public:
+    /// @param middle of the lines, from that of the window, and @param half the way between them, in halves of its height
+    FittedSide(double middle, double half)
+        : m_low((middle - half) * tangent())
+        , m_high((middle + half) * tangent())
+    {
+    }
+
+    void extend(double place, double before)
+    {
+        m_most = std::max(m_most, place + m_high * before);
+        m_least = std::min(m_least, place + m_low * before);
+    }
+
+    double distance() const { return (m_most - m_least) / (m_high - m_low); } ///< of the eye, at least [m]
+    /// Of the target, with as much room on either side [m].
+    double aside(double distance) const { return (m_most - m_high * distance + m_least - m_low * distance) / 2; }
+
+private:
+    double m_low;
+    double m_high;
+    double m_most = -std::numeric_limits<double>::infinity();
+    double m_least = std::numeric_limits<double>::infinity();
+};
 
 } // namespace
 
@@ -100,23 +128,28 @@ void Camera::fit(const Box& box, double aspect)
     fit(box, {aspect, 1}, {});
 }
 
+/// A corner at x to the right of the middle of the box and z before it is seen at (x - c) / ((d - z) tan), in halves of the
+/// window's height, where the target lies c aside and the eye d away. That all corners are seen between l and r asks for
+///   c >= max(x + r z tan) - r d tan   and   c <= min(x + l z tan) - l d tan,
+/// which can be met from d = (max(x + r z tan) - min(x + l z tan)) / ((r - l) tan) on. In parallel projection z counts as 0.
 void Camera::fit(const Box& box, const WindowSize& window, const Insets& taken)
 {
     if (box.isEmpty())
         return;
-    target = box.center();
     const double width = std::max(window.width - taken.left - taken.right, window.width / 2);
     const double height = std::max(window.height - taken.top - taken.bottom, window.height / 2);
-    double wanted = smallestDistance;
+    FittedSide across((taken.left - taken.right) / window.height, fittedShare * width / window.height);
+    FittedSide upwards((taken.bottom - taken.top) / window.height, fittedShare * height / window.height);
+    double nearest = 0; // before the middle of the box
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 offset = box.corner(static_cast<Box::CornerType>(corner)) - target;
-        const double needed = window.height *
-                              std::max(std::abs(offset.dot(up())) / height, std::abs(offset.dot(right())) / width) /
-                              tangent();
-        wanted = std::max(wanted, needed * margin + (perspective ? offset.dot(towardsEye()) : 0));
+        const Vec3 offset = box.corner(static_cast<Box::CornerType>(corner)) - box.center();
+        const double before = perspective ? offset.dot(towardsEye()) : 0;
+        nearest = std::max(nearest, before);
+        across.extend(offset.dot(right()), before);
+        upwards.extend(offset.dot(up()), before);
     }
-    distance = std::min(wanted, largestDistance);
-    pan((taken.left - taken.right) / 2, (taken.top - taken.bottom) / 2, window);
+    distance = std::clamp(std::max(across.distance(), upwards.distance()), nearest + smallestDistance, largestDistance);
+    target = box.center() + across.aside(distance) * right() + upwards.aside(distance) * up();
 }
 
 void Camera::lookFrom(const Vec3& direction)

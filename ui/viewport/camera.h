@@ -70,7 +70,8 @@ struct Camera {
     void zoomByWheel(double turned, const Pixel& pixel, const WindowSize& window);
     /// Shows the whole box from the present direction.
     void fit(const Box& box, double aspect);
-    /// The same in what is left of a window between things that lie on it.
+    /// The same in what is left of a window between things that lie on it: the box takes nine tenths of that, on the side that is
+    /// short of room.
     /// @param taken from its sides [pixels]; more than half of it is not given up
     void fit(const Box& box, const WindowSize& window, const Insets& taken);
     /// Looks from a direction, for example (0, -1, 0) for the front; straight from above the front stays below.

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 
 #include <algorithm>
 #include <utility>
@@ -205,10 +206,22 @@ void SideView::leaveEvent(QEvent* event)
 
 void SideView::wheelEvent(QWheelEvent* event)
 {
-    m_camera.zoomByWheel(event->angleDelta().y(), pixelOf(event->position()), window());
-    setCamera(m_camera);
+    setCamera(cameraAfterScroll(m_camera, m_view.navigation(), *event, window()));
     emit zoomed();
     event->accept();
+}
+
+bool SideView::event(QEvent* event)
+{
+    if (event->type() != QEvent::NativeGesture)
+        return ViewportBridge::event(event);
+    const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
+    if (gesture.gestureType() != Qt::ZoomNativeGesture)
+        return ViewportBridge::event(event);
+    setCamera(cameraAfterPinch(m_camera, gesture, mapFromGlobal(gesture.globalPosition()), window()));
+    emit zoomed();
+    event->accept();
+    return true;
 }
 
 } // namespace knead

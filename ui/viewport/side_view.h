@@ -36,7 +36,7 @@ public:
 signals:
     void becameStale();
     void pressed();                        ///< it is to be the active view; the press follows
-    void zoomed();                         ///< by the mouse wheel
+    void zoomed();                         ///< by a wheel or fingers on a touchpad, which also pan
     void hovered(const QPointF& position); ///< no button is pressed
     void left();                           ///< the mouse is elsewhere
 
@@ -50,6 +50,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:

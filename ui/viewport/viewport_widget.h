@@ -2,6 +2,7 @@
 
 #include "ui/viewport/force_labels.h"
 #include "ui/viewport/manipulation.h"
+#include "ui/viewport/navigation.h"
 #include "ui/viewport/region_tool.h"
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/viewport_bridge.h"
@@ -65,6 +66,13 @@ public:
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
     void setPerspective(bool on);
+    /// How the mouse moves the camera, from the next press on.
+    void setNavigation(const NavigationPreset& preset);
+    const NavigationPreset& navigation() const { return *m_navigation; }
+    /// Whether the view moves with buttons that are held: what was pressed began that.
+    bool navigatesWith(Qt::MouseButtons held) const { return m_isNavigating && m_navigation->uses(held); }
+    /// Whether a press moves the view from now on, so that it is nobody else's.
+    bool isForNavigation(const QMouseEvent& press) const;
     void setTurningSmoothly(bool on);
     /// Looks from elsewhere, at once.
     void jumpTo(const Camera& camera);
@@ -111,6 +119,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
@@ -154,7 +163,9 @@ private:
     FramePointer m_past; ///< that is looked at; null: the present
     QLabel* m_caption;
     QPointF m_lastMouse; ///< on the screen: the view may come to lie elsewhere under the mouse
+    const NavigationPreset* m_navigation = &navigationPreset({});
     bool m_isNavigating = false;
+    Pixel m_navigationStart; ///< where the mouse was pressed
     bool m_isPressedAside = false;
     double m_secondsOfOthers = 0;
     ForceLabels m_labels{this};

@@ -4,17 +4,33 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QVariantAnimation>
 #include <QWheelEvent>
 
 namespace knead {
 
+void ViewportWidget::setNavigation(const NavigationPreset& preset)
+{
+    m_navigation = &preset;
+}
+
+/// The left button is, where it is pressed as the second one of a gesture.
+bool ViewportWidget::isForNavigation(const QMouseEvent& press) const
+{
+    const Qt::MouseButtons held = press.buttons() | press.button();
+    if (press.button() == Qt::LeftButton)
+        return m_isNavigating && m_navigation->usesLeft(held, press.modifiers());
+    return m_navigation->motion(held, press.modifiers()).has_value();
+}
+
 void ViewportWidget::mousePressEvent(QMouseEvent* event)
 {
     m_lastMouse = event->globalPosition();
-    if (event->button() == Qt::MiddleButton) {
+    if (isForNavigation(*event)) {
         m_turning->stop();
         m_isNavigating = true;
+        m_navigationStart = pixelOf(event->position());
         setCursor(Qt::SizeAllCursor);
         return;
     }
@@ -56,13 +72,9 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF step = event->globalPosition() - m_lastMouse;
     m_lastMouse = event->globalPosition();
-    if (m_isNavigating && event->buttons() & Qt::MiddleButton) {
-        Camera camera = m_camera;
-        if (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
-            camera.pan(step.x(), step.y(), window());
-        else
-            camera.orbit(step.x(), step.y());
-        setCamera(camera);
+    if (navigatesWith(event->buttons())) {
+        if (const auto motion = m_navigation->motion(event->buttons(), event->modifiers()))
+            setCamera(cameraAfterDrag(m_camera, *motion, step, m_navigationStart, window()));
     } else if (m_regions->isPressed()) {
         if (!(event->buttons() & Qt::LeftButton)) // of before the press, or let go where nobody could see it
             return;
@@ -77,10 +89,11 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::MiddleButton) {
+    if (m_isNavigating && !m_navigation->uses(event->buttons())) {
         m_isNavigating = false;
         setCursor(usualCursor());
-    } else if (event->button() == Qt::LeftButton) {
+    }
+    if (event->button() == Qt::LeftButton) {
         if (m_regions->isPressed())
             m_regions->release();
         m_manipulation->release();
@@ -97,10 +110,21 @@ void ViewportWidget::leaveEvent(QEvent* event)
 void ViewportWidget::wheelEvent(QWheelEvent* event)
 {
     m_turning->stop();
-    Camera camera = m_camera;
-    camera.zoomByWheel(event->angleDelta().y(), pixelOf(event->position()), window());
-    setCamera(camera);
+    setCamera(cameraAfterScroll(m_camera, *m_navigation, *event, window()));
     event->accept();
+}
+
+bool ViewportWidget::event(QEvent* event)
+{
+    if (event->type() != QEvent::NativeGesture)
+        return ViewportBridge::event(event);
+    const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
+    if (gesture.gestureType() != Qt::ZoomNativeGesture)
+        return ViewportBridge::event(event);
+    m_turning->stop();
+    setCamera(cameraAfterPinch(m_camera, gesture, mapFromGlobal(gesture.globalPosition()), window()));
+    event->accept();
+    return true;
 }
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event)
