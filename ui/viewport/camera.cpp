@@ -44,8 +44,8 @@ public:
     }
 
     double distance() const { return (m_most - m_least) / (m_high - m_low); } ///< of the eye, at least [m]
-    /// Of the target, with as much room on either side [m].
-    double aside(double distance) const { return (m_most - m_high * distance + m_least - m_low * distance) / 2; }
+    /// Of the target, with as much room on either side. @param eye how far it is away [m]
+    double aside(double eye) const { return (m_most - m_high * eye + m_least - m_low * eye) / 2; }
 
 private:
     double m_low;
@@ -148,7 +148,8 @@ void Camera::fit(const Box& box, const WindowSize& window, const Insets& taken)
         across.extend(offset.dot(right()), before);
         upwards.extend(offset.dot(up()), before);
     }
-    distance = std::clamp(std::max(across.distance(), upwards.distance()), nearest + smallestDistance, largestDistance);
+    const double wanted = std::max({across.distance(), upwards.distance(), nearest + smallestDistance});
+    distance = std::min(wanted, largestDistance);
     target = box.center() + across.aside(distance) * right() + upwards.aside(distance) * up();
 }
 
