@@ -1,8 +1,10 @@
 #include "support/views_on_test.h"
 #include "ui/interaction/gizmo.h"
 #include "ui/preferences/preferences.h"
+#include "ui/preferences/preferences_feature.h"
 #include "ui/run_window.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QtTest>
@@ -147,6 +149,58 @@ private slots:
         QCOMPARE(document().selected().region(), selected);
         rest(); // the side in the middle of its cube is the one that is looked at already
         QCOMPARE(views().name(ViewSlot::right).name(), QString("Right"));
+    }
+
+    /// The other buttons then are free, and the status bar says which ones to use.
+    void theMouseNavigatesAsInTheProgramThatIsPreferred()
+    {
+        openExample("bracket.step");
+        rest();
+        const auto* hint = find<QLabel>("navigationHint");
+        QCOMPARE(hint->text(), QString("Middle: orbit   Shift+middle: pan   Wheel: zoom"));
+        Preferences preferences = m_window->features().preferences->now();
+        preferences.navigation = "twoButtons";
+        m_window->features().preferences->set(preferences);
+        QCOMPARE(hint->text(), QString("Right: orbit   Shift+right: pan   Wheel: zoom"));
+        const QPoint place = placeOf(ViewSlot::free).center();
+        const auto dragged = [&](Qt::MouseButton button, Qt::KeyboardModifiers keys) {
+            const Camera before = view().camera();
+            mousePress(button, place, keys);
+            mouseMove(place + QPoint(10, -30), keys);
+            mouseRelease(button, place + QPoint(10, -30));
+            return before;
+        };
+        const Camera turned = dragged(Qt::RightButton, {});
+        QVERIFY(turned.yaw != view().camera().yaw);
+        const Camera panned = dragged(Qt::RightButton, Qt::ShiftModifier);
+        QVERIFY(panned.yaw == view().camera().yaw && panned.target != view().camera().target);
+        const Camera zoomed = dragged(Qt::RightButton, Qt::ControlModifier);
+        QVERIFY(zoomed.distance > 1.1 * view().camera().distance);
+        const Camera same = dragged(Qt::MiddleButton, {});
+        QVERIFY(isSame(same, view().camera()));
+        preferences.navigation = "freecad"; // a second button makes turning of panning
+        m_window->features().preferences->set(preferences);
+        const Region selected = document().selected().region();
+        const Camera before = view().camera();
+        QTest::mouseMove(&view(), view().rect().center());
+        const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held, const QPoint& step) {
+            const QPoint at = view().rect().center() + step;
+            QMouseEvent event(type, at, view().mapToGlobal(at), button, held, Qt::NoModifier);
+            QApplication::sendEvent(&view(), &event);
+        };
+        const Qt::MouseButtons both = Qt::MiddleButton | Qt::LeftButton;
+        send(QEvent::MouseButtonPress, Qt::MiddleButton, Qt::MiddleButton, {});
+        send(QEvent::MouseMove, Qt::NoButton, Qt::MiddleButton, {20, 0});
+        QVERIFY(view().camera().yaw == before.yaw && view().camera().target != before.target);
+        send(QEvent::MouseButtonPress, Qt::LeftButton, both, {20, 0});
+        send(QEvent::MouseMove, Qt::NoButton, both, {60, 0});
+        QVERIFY(view().camera().yaw != before.yaw);
+        send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::MiddleButton, {60, 0});
+        send(QEvent::MouseButtonRelease, Qt::MiddleButton, Qt::NoButton, {60, 0});
+        QCOMPARE(document().selected().region(), selected);
+        const Camera after = view().camera();
+        send(QEvent::MouseMove, Qt::NoButton, Qt::NoButton, {0, 0});
+        QVERIFY(isSame(view().camera(), after));
     }
 
     void oneMoreButtonInADragChangesNoView()
