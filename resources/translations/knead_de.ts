@@ -4510,12 +4510,12 @@ Simuliert: %2, Schritt %3
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Shift+%1</source>
-        <translation>Umschalt+%1</translation>
+        <source>Shift+</source>
+        <translation>Umschalt+</translation>
     </message>
     <message>
-        <source>Ctrl+%1</source>
-        <translation>Strg+%1</translation>
+        <source>Ctrl+</source>
+        <translation>Strg+</translation>
     </message>
     <message>
         <source>Two buttons / touchpad</source>

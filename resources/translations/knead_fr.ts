@@ -4510,12 +4510,12 @@ Simulé&#xa0;: %2, pas %3
         <translation>milieu</translation>
     </message>
     <message>
-        <source>Shift+%1</source>
-        <translation>Maj+%1</translation>
+        <source>Shift+</source>
+        <translation>Maj+</translation>
     </message>
     <message>
-        <source>Ctrl+%1</source>
-        <translation>Ctrl+%1</translation>
+        <source>Ctrl+</source>
+        <translation>Ctrl+</translation>
     </message>
     <message>
         <source>Two buttons / touchpad</source>

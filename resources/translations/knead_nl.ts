@@ -4510,12 +4510,12 @@ Gesimuleerd: %2, stap %3
         <translation>midden</translation>
     </message>
     <message>
-        <source>Shift+%1</source>
-        <translation>Shift+%1</translation>
+        <source>Shift+</source>
+        <translation>Shift+</translation>
     </message>
     <message>
-        <source>Ctrl+%1</source>
-        <translation>Ctrl+%1</translation>
+        <source>Ctrl+</source>
+        <translation>Ctrl+</translation>
     </message>
     <message>
         <source>Two buttons / touchpad</source>

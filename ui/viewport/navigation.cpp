@@ -73,9 +73,9 @@ QString NavigationPreset::nameOf(NavigationMotion wanted) const
     const auto found = std::ranges::find(gestures, wanted, &NavigationGesture::motion);
     QString text = nameOfButtons(found->buttons);
     if (found->modifiers.testFlag(Qt::ShiftModifier))
-        text = wordOfNavigation(QT_TRANSLATE_NOOP("Navigation", "Shift+%1")).arg(text);
+        text.prepend(wordOfNavigation(QT_TRANSLATE_NOOP("Navigation", "Shift+")));
     if (found->modifiers.testFlag(Qt::ControlModifier))
-        text = wordOfNavigation(QT_TRANSLATE_NOOP("Navigation", "Ctrl+%1")).arg(text);
+        text.prepend(wordOfNavigation(QT_TRANSLATE_NOOP("Navigation", "Ctrl+")));
     text.front() = text.front().toUpper();
     return text;
 }
