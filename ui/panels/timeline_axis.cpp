@@ -211,7 +211,7 @@ QString TimelineAxis::textAt(double at) const
     constexpr int most = 6;
     if (names.size() > most)
         names = QStringList{tr("... and %1 before").arg(names.size() - most)} + names.mid(names.size() - most);
-    return timeText(near->at) + '\n' + names.join('\n');
+    return timeText(near->at) + '\n' + names.join('\n') + '\n' + tr("Double-click: go there");
 }
 
 bool TimelineAxis::event(QEvent* event)
@@ -245,6 +245,12 @@ void TimelineAxis::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && !m_timeline.ticks.empty())
         emit released(atPlace(event->position().x()));
+}
+
+void TimelineAxis::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !m_timeline.ticks.empty())
+        emit doubleClicked(atPlace(event->position().x()));
 }
 
 void TimelineAxis::leaveEvent(QEvent* event)
