@@ -400,6 +400,30 @@ private slots:
         QTRY_VERIFY(watched == nullptr);
     }
 
+    /// Panels that it brings to the front must not stay bright, nor cover what it says.
+    void theTourLiesOverAllPanels()
+    {
+        action("tour")->trigger();
+        auto* tour = find<Tour>("tour");
+        QTRY_VERIFY(tour->isVisible());
+        const auto isOfTour = [&](QPoint place) {
+            const QWidget* there = m_window->childAt(place);
+            return there == tour || (there != nullptr && tour->isAncestorOf(there));
+        };
+        for (int step = 0; step < 6; ++step) {
+            QTest::qWait(100); // panels are laid out later
+            QCOMPARE(tour->step(), step);
+            for (const char* name : {"modelDock", "propertiesDock", "timelineDock"}) {
+                const QWidget* dock = find<QDockWidget>(name);
+                QVERIFY2(isOfTour(dock->mapTo(m_window.get(), dock->rect().center())), name);
+            }
+            const QWidget* text = tour->findChild<QLabel*>("tourText");
+            QVERIFY(isOfTour(text->mapTo(m_window.get(), text->rect().center())));
+            press(tour, Qt::Key_Right);
+        }
+        QTRY_VERIFY(find<Tour>("tour") == nullptr);
+    }
+
     void theTourIsOfferedOnce()
     {
         m_window->features().help->offerTour();
