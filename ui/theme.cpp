@@ -250,7 +250,7 @@ QLabel[role="big"] { font-size: 16pt; font-weight: 600; }
 QLabel[role="force"] {
     background: @tip; color: @text; border: 1px solid @line; border-radius: 4px; padding: 2px 6px; font-weight: 600;
 }
-QFrame#banner { background: @tip; border: none; border-bottom: 2px solid @problem; }
+QFrame#banner { background: @tip; border: 1px solid @line; border-bottom: 2px solid @problem; border-radius: 4px; }
 QFrame#dropZone { border: 2px dashed @line; border-radius: 12px; background: @base; }
 QFrame#dropZone[isOver="true"] { border-color: @accent; background: @tint; }
 QFrame#waitingWork { border: 1px solid @line; border-left: 4px solid @accent; border-radius: 6px; background: @base; }

@@ -64,6 +64,39 @@ private slots:
         picture("tools");
     }
 
+    /// Or what the mouse works on would go away under it.
+    void aMessageLeavesTheViewWhereItIs()
+    {
+        openExample("bar.step");
+        m_window->banner().hide();
+        QTest::qWait(100);
+        auto& view = m_window->viewport();
+        const QPoint middle = view.rect().center();
+        const QPoint before = view.mapTo(m_window.get(), QPoint(0, 0));
+        const QSize size = view.size();
+        QTest::mousePress(&view, Qt::MiddleButton, {}, middle);
+        m_window->banner().show("Something happened that takes a longer sentence, and the view stays where it is.",
+                                "Do it");
+        QTest::qWait(100); // panels are laid out later
+        QCOMPARE(view.mapTo(m_window.get(), QPoint(0, 0)), before);
+        QCOMPARE(view.size(), size);
+        QTest::mouseRelease(&view, Qt::MiddleButton, {}, middle);
+        const QWidget& banner = m_window->banner();
+        const QRect place(banner.mapTo(m_window.get(), QPoint(0, 0)), banner.size());
+        QVERIFY(QRect(before, size).contains(place));
+        for (const char* name : {"bannerText", "bannerRemedy", "bannerClose"}) {
+            const auto* part = banner.findChild<QWidget*>(name);
+            QVERIFY2(banner.rect().contains(part->geometry()), name);
+            QCOMPARE(m_window->childAt(part->mapTo(m_window.get(), part->rect().center())), part);
+        }
+        m_window->resize(m_window->width() - 60, m_window->height());
+        QTRY_VERIFY(view.width() < size.width());
+        const int left = view.mapTo(m_window.get(), QPoint(0, 0)).x();
+        QTRY_VERIFY(banner.mapTo(m_window.get(), QPoint(0, 0)).x() + banner.width() <= left + view.width());
+        QTest::mouseClick(banner.findChild<QWidget*>("bannerClose"), Qt::LeftButton);
+        QVERIFY(!banner.isVisible());
+    }
+
     void aToolTakesAnotherForm()
     {
         openExample("bar.step");

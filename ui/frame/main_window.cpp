@@ -150,11 +150,11 @@ void MainWindow::makeCenter()
     m_viewport = &m_views->active();
     m_pages->addWidget(m_home);
     m_pages->addWidget(m_views);
-    column->addWidget(m_banner);
     auto* row = new QHBoxLayout; // the bar for selecting comes before the pages
     row->setSpacing(0);
     row->addWidget(m_pages, 1);
     column->addLayout(row, 1);
+    m_banner->layOver(*m_pages);
     setCentralWidget(center);
 }
 
@@ -247,7 +247,7 @@ void MainWindow::makeFeatures()
 void MainWindow::makeSelectionBar()
 {
     m_selectionBar = m_features->selection->newBar(centralWidget());
-    auto* row = qobject_cast<QBoxLayout*>(centralWidget()->layout()->itemAt(1)->layout());
+    auto* row = qobject_cast<QBoxLayout*>(centralWidget()->layout()->itemAt(0)->layout());
     row->insertWidget(0, m_selectionBar);
     connect(m_selectionBar->toggleViewAction(), &QAction::triggered, this,
             [](bool on) { QSettings().setValue(selectionBarShown, on); });
