@@ -13,6 +13,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -361,6 +362,9 @@ void Display::follow()
 
 void Display::contentChanged()
 {
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.content().model);
+    if (before != nullptr && before != m_model) // another part looks as what it is made of
+        setQuantity(std::nullopt);
     const bool isSimulated = !m_document.content().bodies.empty();
     for (QAction* action : {m_skin, m_connections, m_original, m_breaks, m_section, m_flip, m_compare, m_hatched})
         action->setEnabled(isSimulated);

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QObject>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -101,8 +102,9 @@ private:
     QList<QAction*> m_shown;
     QMenu* m_menu = nullptr;
     Section m_plane;
-    Box m_placedIn;             ///< what the plane was placed in [m]; empty at first
-    bool m_isFollowing = false; ///< actions only show what the view has
+    std::shared_ptr<const Model> m_model; ///< that was opened
+    Box m_placedIn;                       ///< what the plane was placed in [m]; empty at first
+    bool m_isFollowing = false;           ///< actions only show what the view has
     bool m_lendsObjects = false;
 };
 

@@ -213,6 +213,29 @@ private slots:
         QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
     }
 
+    /// How the last part was turned and colored says nothing of it.
+    void anotherPartIsSeenFromTheFrontAndAsItsMaterialLooks()
+    {
+        openExample("bar.step");
+        const Camera first = view().camera();
+        choose("colorQuantity", "Strain");
+        QTRY_VERIFY(view().scale());
+        view().setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_7); // from above
+        rest(600);
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) > 0.1);
+        m_window->features().imports->refill(document().size() / 20); // the same part
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        rest(600);
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) > 0.1);
+        QVERIFY(view().options().colors.quantity == SurfaceQuantity::strain);
+        openExample("plate.step");
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) < 1e-9);
+        QVERIFY(std::abs(view().camera().yaw - first.yaw) < 1e-9);
+        QVERIFY(!view().options().colors.quantity);
+        QVERIFY(action("colorParts")->isChecked());
+    }
+
     void theOriginalIsSeenAroundWhatBecameOfIt()
     {
         stretchBar();
