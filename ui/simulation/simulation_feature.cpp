@@ -75,6 +75,10 @@ SimulationFeature::SimulationFeature(const Workbench& bench, Actions& actions, S
             m_readings.show(*frame->snapshot);
     });
     connect(m_panel, &SimulationPanel::threadsChosen, this, &SimulationFeature::threadsChosen);
+    connect(&bench.document, &Document::changed, m_performance, [this](Document::Change what) {
+        if (what == Document::Change::Model)
+            m_performance->clear();
+    });
     auto* remarks = new RunRemarks(bench.document, this);
     connect(remarks, &RunRemarks::said, &bench.notices, &Notices::remark);
     connect(&bench.notices, &Notices::otherClicked, &bench.document, &Document::reset);
