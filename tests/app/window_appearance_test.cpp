@@ -169,6 +169,24 @@ private slots:
         }
     }
 
+    void theOnlyPartStandsOutWhenSelected()
+    {
+        openExample("bar.step", 10);
+        const auto picture = [&] {
+            QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
+            QTest::qWait(150);
+            return view().grabFramebuffer();
+        };
+        document().select({Selection::Kind::Body, 0});
+        const QImage selected = picture();
+        document().select({});
+        const QImage plain = picture();
+        const SceneStyle style = lightScene();
+        const int usual = countOf(selected, style.selectedEdge) - countOf(plain, style.selectedEdge);
+        const int other = countOf(selected, style.selectedOther) - countOf(plain, style.selectedOther);
+        QVERIFY(std::max(usual, other) > 200);
+    }
+
     /// Of what it marks, the line around it, and not only its fill.
     void aSelectedFaceStandsOutWhenItsPartIsColored()
     {

@@ -238,7 +238,7 @@ void ViewportWidget::updateMarks()
 {
     SceneMarks marks;
     const Selection& selection = m_document.selection();
-    if (selection.kind == Selection::Kind::Body && m_document.content().bodies.size() > 1)
+    if (selection.kind == Selection::Kind::Body)
         marks.selectedBody = selection.id;
     if (selection.kind == Selection::Kind::Tool)
         marks.selectedTool = selection.id;
@@ -247,9 +247,8 @@ void ViewportWidget::updateMarks()
         marks.hoveredTool = hovered.id;
     if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
-    const bool isOnly = m_document.content().bodies.size() == 1; // nothing else could be meant
-    if (const Region& selected = m_document.selected().region(); selected.level != Level::Part || !isOnly)
-        marks.selected = selected;
+    marks.selected = m_document.selected().region();
+    const bool isOnly = m_document.content().bodies.size() == 1; // the cursor could mean nothing else
     if (const Region& under = m_regions->hovered(); under.level != Level::Part || !isOnly)
         marks.hovered = under;
     if (m_highlight)
