@@ -95,6 +95,36 @@ private slots:
         QVERIFY(isLike(plain));
     }
 
+    /// Or one would not see whether a click fixed it.
+    void aFaceThatWasJustFixedIsNotCoveredByTheHighlight()
+    {
+        openExample("bar.step");
+        action("fixFaces")->setChecked(true);
+        const QPoint place = view()
+                                 .widgetPosition(document().content().box.center() +
+                                                 Vec3(0, 0, document().content().box.sizes().z() / 2))
+                                 ->toPoint();
+        const QPoint away(5, view().height() / 2);
+        QTest::mouseMove(&view(), away);
+        const QColor plain = shot().pixelColor(place);
+        QTest::mouseMove(&view(), place);
+        const QColor under = shot().pixelColor(place);
+        QVERIFY(under != plain); // what a click would fix
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+        QTRY_COMPARE(document().fixtures().list().size(), std::size_t{1});
+        const QColor fixed = shot().pixelColor(place);
+        QVERIFY(fixed != under && fixed != plain);
+        QTest::mouseMove(&view(), place + QPoint(2, 0)); // still the same face
+        QCOMPARE(shot().pixelColor(place), fixed);
+        QTest::mouseMove(&view(), away);
+        QCOMPARE(shot().pixelColor(place), fixed);
+        QTest::mouseMove(&view(), place);
+        QVERIFY(shot().pixelColor(place) != fixed);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+        QTRY_VERIFY(document().fixtures().list().empty());
+        QCOMPARE(shot().pixelColor(place), plain);
+    }
+
     void aTypedRangeStaysAndHasUnits()
     {
         stretchBar();

@@ -245,7 +245,7 @@ void ViewportWidget::updateMarks()
     const PickHit& hovered = m_manipulation->hovered();
     if (hovered.kind == PickHit::Kind::Tool)
         marks.hoveredTool = hovered.id;
-    if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
+    if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing() && !m_manipulation->isJustToggled())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
     marks.selected = m_document.selected().region();
     const bool isOnly = m_document.content().bodies.size() == 1; // the cursor could mean nothing else
