@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -468,7 +469,23 @@ private slots:
         m_window = std::make_unique<MainWindow>(m_services);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-        QCOMPARE(m_window->size(), QSize(1280, 800));
+        QCOMPARE(m_window->size(), MainWindow::firstSize(m_window->screen()->availableSize()));
+        QCOMPARE(MainWindow::firstSize({1920, 1080}), QSize(1280, 800));
+        const QSize small = MainWindow::firstSize({1280, 800}); // the system's title bar comes on top
+        QVERIFY(small.width() < 1280 && small.height() <= 760);
+    }
+
+    void fullScreenLeavesAMaximizedWindowMaximized()
+    {
+        m_window->showMaximized();
+        QTRY_VERIFY(m_window->isMaximized());
+        for (int i = 0; i < 2; ++i) {
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(m_window->isFullScreen() && action("fullScreen")->isChecked());
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(!m_window->isFullScreen() && !action("fullScreen")->isChecked());
+            QVERIFY(m_window->isMaximized());
+        }
     }
 
     void panelsCloseComeBackAndAreRemembered()
