@@ -238,7 +238,7 @@ void MainWindow::makeFeatures()
     f.views = new ViewsFeature(bench, *m_actions);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
-    f.probes = new ProbesFeature(bench, f.measuring->measuring());
+    f.probes = new ProbesFeature(bench, f.measuring->measuring(), f.projects->keeper());
     f.hands = new HandsFeature(bench, *m_modes);
     f.recording = new RecordingFeature(bench, *m_actions->recordVideo, *m_actions->recordPictures);
     f.selection = new SelectionFeature(bench, {*m_actions, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});

@@ -199,6 +199,11 @@ std::map<std::string, std::string> ProjectKeeper::panels() const
 {
     std::map<std::string, std::string> result = m_window.document.panels();
     result.insert(m_panels.begin(), m_panels.end()); // where they are not the document's, which are newer
+    for (const auto& [name, panel] : m_kept)
+        if (std::string memory = panel.memory(); memory.empty())
+            result.erase(name);
+        else
+            result[name] = std::move(memory);
     return result;
 }
 

@@ -293,6 +293,19 @@ WindowSize ViewportWidget::window() const
     return {static_cast<double>(std::max(1, width())), static_cast<double>(std::max(1, height()))};
 }
 
+bool ViewportWidget::showsAll() const
+{
+    const Camera camera = cameraAfterTurning();
+    const Box box = sceneBox();
+    const WindowSize size = window();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto seen = camera.project(box.corner(static_cast<Box::CornerType>(corner)), size);
+        if (!seen || seen->x < 0 || seen->y < 0 || seen->x > size.width || seen->y > size.height)
+            return false;
+    }
+    return true;
+}
+
 Box ViewportWidget::materialBox() const
 {
     Box box = m_restBox;
