@@ -29,7 +29,7 @@ QString lengthText(double length)
 QString shareText(double share)
 {
     constexpr double least = 5e-5;
-    return std::abs(share) < least ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * share);
+    return std::abs(share) < least ? QStringLiteral("0 %") : localNumber(QString::asprintf("%+.2f %%", 100 * share));
 }
 
 QTreeWidgetItem* rowOf(const BodyComparison& body)

@@ -38,7 +38,7 @@ QString digitsOf(double ratio)
 {
     constexpr double grouped = 999.5; // from here on the digits of whole numbers are in groups
     if (ratio < grouped)
-        return QString::number(ratio, 'g', 3);
+        return localNumber(ratio, 'g', 3);
     const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 2);
     return formatCount(static_cast<std::size_t>(unit * std::round(ratio / unit)));
 }

@@ -36,7 +36,7 @@ QString changed(double rest, double now, Quantity quantity)
     const double share = rest != 0 && std::abs(100 * (now / rest - 1)) >= least ? 100 * (now / rest - 1) : 0;
     return QStringLiteral("%1 → %2 (%3 %)")
         .arg(formatQuantity(rest, quantity), formatQuantity(now, quantity),
-             share == 0 ? QStringLiteral("0") : QString::asprintf("%+.2f", share));
+             share == 0 ? QStringLiteral("0") : localNumber(QString::asprintf("%+.2f", share)));
 }
 
 QString cell(const QString& text, const char* tag = "td")

@@ -37,7 +37,8 @@ QString shortLength(double metres)
 QString shareOf(double change)
 {
     constexpr double smallest = 5e-5;
-    return std::abs(change) < smallest ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * change);
+    return std::abs(change) < smallest ? QStringLiteral("0 %")
+                                       : localNumber(QString::asprintf("%+.2f %%", 100 * change));
 }
 
 QString formOf(const PartExportReport& part)
@@ -209,8 +210,7 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
                                               : tr("%1 files").arg(reports.size());
     m_summary->setText(tr("%1: %2, %3 MB in %4 s. %5")
                            .arg(files, reports.empty() ? QString() : QString::fromStdString(reports.front().format))
-                           .arg(1e-6 * static_cast<double>(bytes), 0, 'g', 3)
-                           .arg(seconds, 0, 'f', 1)
+                           .arg(localNumber(1e-6 * static_cast<double>(bytes), 'g', 3), localNumber(seconds, 'f', 1))
                            .arg(sound == parts ? tr("All parts are sound.")
                                                : tr("%1 of %2 parts are not sound.").arg(parts - sound).arg(parts)));
 }

@@ -59,13 +59,14 @@ const std::array<StageLook, stageCount + 1>& looks()
 
 QString milliseconds(double seconds)
 {
-    return PerformancePanel::tr("%1 ms").arg(1e3 * seconds, 0, 'f', 2);
+    return PerformancePanel::tr("%1 ms").arg(localNumber(1e3 * seconds, 'f', 2));
 }
 
 QString perStep(double seconds)
 {
-    return seconds < 1e-3 ? PerformancePanel::tr("%1 µs/step").arg(1e6 * seconds, 0, 'f', seconds < 1e-5 ? 1 : 0)
-                          : PerformancePanel::tr("%1 ms/step").arg(1e3 * seconds, 0, 'f', 2);
+    return seconds < 1e-3
+               ? PerformancePanel::tr("%1 µs/step").arg(localNumber(1e6 * seconds, 'f', seconds < 1e-5 ? 1 : 0))
+               : PerformancePanel::tr("%1 ms/step").arg(localNumber(1e3 * seconds, 'f', 2));
 }
 
 QLabel* dimmed(QWidget* parent)

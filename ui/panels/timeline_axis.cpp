@@ -2,6 +2,7 @@
 
 #include "ui/document/entry_names.h"
 #include "ui/panels/plot_axis.h"
+#include "ui/units.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -117,7 +118,7 @@ void TimelineAxis::paintRuler(QPainter& painter) const
         painter.setPen(palette().color(QPalette::Mid));
         painter.drawLine(QPointF(x + 0.5, rulerHeight), QPointF(x + 0.5, height() - 4));
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        const QString text = at == 0 ? tr("0 s") : QString::number(at, 'f', axis.decimals());
+        const QString text = at == 0 ? tr("0 s") : localNumber(at, 'f', axis.decimals());
         const int textWidth = painter.fontMetrics().horizontalAdvance(text);
         painter.drawText(std::clamp(x - textWidth / 2, 1, width() - textWidth - 1), rulerHeight - 4, text);
     }
