@@ -97,6 +97,42 @@ private slots:
         QVERIFY(!banner.isVisible());
     }
 
+    void newToolsHaveNumbersThatAPersonWouldType()
+    {
+        const auto significant = [](const QString& shown) {
+            QString number = shown.section(' ', 0, 0).remove('-');
+            if (number.contains('e'))
+                return 99;
+            const bool isWhole = !number.contains('.');
+            number.remove('.');
+            while (number.startsWith('0'))
+                number.remove(0, 1);
+            while (isWhole && number.endsWith('0'))
+                number.chop(1);
+            return static_cast<int>(number.size());
+        };
+        for (const char* part : {"bracket.step", "handle.step"}) {
+            openExample(part);
+            std::size_t count = snapshot().tools.size();
+            for (const char* name : {"addBlock", "addPlate", "addKnife", "addRoller"}) {
+                action(name)->trigger();
+                ++count;
+                QTRY_COMPARE(snapshot().tools.size(), count);
+                QTRY_COMPARE(document().selection().id, snapshot().tools.back().id);
+                for (const char* field : {"toolSizeX", "toolSizeY", "toolSizeZ", "toolSpeed", "toolForceLimit"})
+                    QVERIFY2(significant(find<QuantityField>(field)->text()) <= 2,
+                             qPrintable(field + (": " + find<QuantityField>(field)->text())));
+                for (const char* field : {"toolPositionX", "toolPositionY", "toolPositionZ"})
+                    QVERIFY2(significant(find<QuantityField>(field)->text()) <= 4,
+                             qPrintable(field + (": " + find<QuantityField>(field)->text())));
+            }
+        }
+        const ToolState tool = snapshot().tools.back();
+        document().post(PlaceManipulator{tool.id, {Vec3(7.5535e-9, 0.01, 0.1), tool.pose.rotation}});
+        QTRY_COMPARE(find<QuantityField>("toolPositionY")->text(), QString("10 mm"));
+        QCOMPARE(find<QuantityField>("toolPositionX")->text(), QString("0 mm"));
+    }
+
     void aToolTakesAnotherForm()
     {
         openExample("bar.step");
