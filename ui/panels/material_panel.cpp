@@ -251,7 +251,7 @@ void MaterialPanel::showFacts()
     const QString about = facts.isMeasured ? ratio : tr("about %1").arg(ratio);
     m_ratio->setText(facts.ratio >= keepsUp ? tr("keeps up with real time") : tr("%1 of real time").arg(about));
     showWallCells(facts.cellsAcrossWall);
-    setRole(*m_ratio, facts.ratio < keepsUp ? "slow" : "");
+    setRole(*m_ratio, facts.isMeasured && facts.ratio < keepsUp ? "slow" : ""); // a guess is no reason to worry
 }
 
 /// With what too few of them do to bending.
