@@ -1,5 +1,7 @@
 #include "ui/document/entry_names.h"
 
+#include "ui/units.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -243,8 +245,8 @@ QString timeText(double seconds)
     if (seconds == 0)
         return Words::tr("0 s");
     if (std::abs(seconds) < 0.0995)
-        return Words::tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
-    return Words::tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
+        return Words::tr("%1 ms").arg(localNumber(1000 * seconds, 'f', std::abs(seconds) < 0.00995 ? 1 : 0));
+    return Words::tr("%1 s").arg(localNumber(seconds, 'f', std::abs(seconds) < 9.95 ? 2 : 1));
 }
 
 QString mergeKeyOf(const Command& command)

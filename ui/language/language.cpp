@@ -2,6 +2,7 @@
 
 #include "ui/language/phrasebook.h"
 #include "ui/language/retranslation.h"
+#include "ui/units.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
@@ -119,6 +120,7 @@ void speak(const QString& code)
     Interpreter& now = interpreter();
     if (now.code() == code || !isOurs(code))
         return;
+    setNumberLanguage(code);
     const Phrasebook before = now.change(code);
     QEvent change(QEvent::LanguageChange); // Qt's own texts, and who wants to know
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);

@@ -5,6 +5,7 @@
 #include "ui/document/table_kinds.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
+#include "ui/units.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -68,7 +69,7 @@ void MaterialPanel::makeFirmnessRow()
 
 void MaterialPanel::showFirmnessReading(int notch)
 {
-    m_firmnessReading->setText(notch == 0 ? tr("as it is") : tr("%1 times").arg(factorOf(notch), 0, 'g', 2));
+    m_firmnessReading->setText(notch == 0 ? tr("as it is") : tr("%1 times").arg(localNumber(factorOf(notch), 'g', 2)));
 }
 
 /// Of which material the present one is a softer or firmer kind: of the one that it was, of a preset, or of itself.

@@ -59,13 +59,14 @@ const std::array<StageLook, stageCount + 1>& looks()
 
 QString milliseconds(double seconds)
 {
-    return PerformancePanel::tr("%1 ms").arg(1e3 * seconds, 0, 'f', 2);
+    return PerformancePanel::tr("%1 ms").arg(localNumber(1e3 * seconds, 'f', 2));
 }
 
 QString perStep(double seconds)
 {
-    return seconds < 1e-3 ? PerformancePanel::tr("%1 µs/step").arg(1e6 * seconds, 0, 'f', seconds < 1e-5 ? 1 : 0)
-                          : PerformancePanel::tr("%1 ms/step").arg(1e3 * seconds, 0, 'f', 2);
+    return seconds < 1e-3
+               ? PerformancePanel::tr("%1 µs/step").arg(localNumber(1e6 * seconds, 'f', seconds < 1e-5 ? 1 : 0))
+               : PerformancePanel::tr("%1 ms/step").arg(localNumber(1e3 * seconds, 'f', 2));
 }
 
 QLabel* dimmed(QWidget* parent)
@@ -172,7 +173,19 @@ PerformancePanel::PerformancePanel(QWidget* parent)
     grid->setColumnStretch(2 * cellsPerRow, 1);
     column->addLayout(grid);
     column->addStretch(1);
+    clear();
+}
+
+void PerformancePanel::clear()
+{
+    m_smooth.assign(looks().size(), 0.0);
+    m_bar->show({});
+    m_rates->clear();
     m_summary->setText(tr("Open a part and press play to see where the time goes."));
+    for (const Row& row : m_rows) {
+        row.frame->clear();
+        row.step->clear();
+    }
 }
 
 void PerformancePanel::show(const Snapshot& snapshot)
