@@ -19,8 +19,8 @@ namespace knead {
 
 namespace {
 
-constexpr float lineWidth = 4.5F;  // [pixels]
-constexpr double markRadius = 0.5; // [a]
+constexpr float regionLineWidth = 4.5F; // [pixels]
+constexpr double markRadius = 0.5;      // [a]
 
 } // namespace
 
@@ -38,7 +38,7 @@ struct RegionActor::Parts {
 RegionActor::RegionActor(vtkRenderer* renderer)
     : m_parts(std::make_unique<Parts>(renderer))
 {
-    m_parts->lines.actor->setLineWidth(lineWidth);
+    m_parts->lines.actor->setLineWidth(regionLineWidth);
     m_parts->lines.actor->GetProperty()->LightingOff();
     // Some drivers draw every line one pixel wide, which the skin's own edges cover; a shader draws tubes.
     m_parts->lines.actor->GetProperty()->RenderLinesAsTubesOn();
