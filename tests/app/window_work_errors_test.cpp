@@ -332,7 +332,9 @@ private slots:
     void thePaletteSaysWhyNot()
     {
         verifyWhyNot("fit", "Open a part first.");
+        QCOMPARE(action("fit")->statusTip(), QString("Open a part first.")); // for the status bar
         openBarHere();
+        QVERIFY(action("fit")->isEnabled() && action("fit")->statusTip().isEmpty());
         verifyWhyNot("redo", "There is nothing to redo.");
         document().selected().select({});
         document().select({});

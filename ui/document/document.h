@@ -2,9 +2,9 @@
 
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
-#include "core/session/prepared_project.h"
 #include "core/session/part_appearance.h"
 #include "core/session/playback_cache.h"
+#include "core/session/prepared_project.h"
 #include "core/session/timeline.h"
 #include "core/session/tool_requests.h"
 #include "core/simulation/simulation_thread.h"

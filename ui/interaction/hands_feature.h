@@ -14,8 +14,8 @@ namespace knead {
 class Hands;
 class Modes;
 
-/// Tools and fixtures, tools and material by hand, the forces that come of it, and the folds: their panels, and the table of forces as a file. Window
-/// thread only.
+/// Tools and fixtures, tools and material by hand, the forces that come of it, and the folds: their panels, and the table of
+/// forces as a file. Window thread only.
 class HandsFeature final : public QObject {
     Q_OBJECT
 public:

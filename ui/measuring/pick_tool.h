@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-
 namespace knead {
 
 /// Takes left clicks of the view while something is picked, place after place; everything else goes on as usual. When all are

@@ -61,10 +61,10 @@ private:
     bool m_isSteppable = true;            ///< time stands still
     std::optional<QString> m_undoes;      ///< name of what would be undone
     std::optional<QString> m_redoes;
-    Message m_shownHealth;                ///< message last put into the banner
-    QString m_shownImbalance;             ///< why no balance was found last
-    QString m_shownWalls;                 ///< sentence of the present filling; empty: its walls are well
-    Message m_shownNotice;                ///< last said
+    Message m_shownHealth;    ///< message last put into the banner
+    QString m_shownImbalance; ///< why no balance was found last
+    QString m_shownWalls;     ///< sentence of the present filling; empty: its walls are well
+    Message m_shownNotice;    ///< last said
 };
 
 } // namespace knead
