@@ -132,6 +132,8 @@ private slots:
 
         m_window->close();
         QTRY_VERIFY(find<QMessageBox>("saveQuestion") != nullptr);
+        for (const auto button : {QMessageBox::Save, QMessageBox::Discard, QMessageBox::Cancel})
+            QVERIFY(!QKeySequence::mnemonic(find<QMessageBox>("saveQuestion")->button(button)->text()).isEmpty());
         drawn();
         picture("save question");
         answer("saveQuestion", QMessageBox::Cancel);

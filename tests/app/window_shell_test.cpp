@@ -21,6 +21,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -411,6 +412,30 @@ private slots:
         QTRY_VERIFY(watched == nullptr);
     }
 
+    /// Panels that it brings to the front must not stay bright, nor cover what it says.
+    void theTourLiesOverAllPanels()
+    {
+        action("tour")->trigger();
+        auto* tour = find<Tour>("tour");
+        QTRY_VERIFY(tour->isVisible());
+        const auto isOfTour = [&](QPoint place) {
+            const QWidget* there = m_window->childAt(place);
+            return there == tour || (there != nullptr && tour->isAncestorOf(there));
+        };
+        for (int step = 0; step < 6; ++step) {
+            QTest::qWait(100); // panels are laid out later
+            QCOMPARE(tour->step(), step);
+            for (const char* name : {"modelDock", "propertiesDock", "timelineDock"}) {
+                const QWidget* dock = find<QDockWidget>(name);
+                QVERIFY2(isOfTour(dock->mapTo(m_window.get(), dock->rect().center())), name);
+            }
+            const QWidget* text = tour->findChild<QLabel*>("tourText");
+            QVERIFY(isOfTour(text->mapTo(m_window.get(), text->rect().center())));
+            press(tour, Qt::Key_Right);
+        }
+        QTRY_VERIFY(find<Tour>("tour") == nullptr);
+    }
+
     void theTourIsOfferedOnce()
     {
         m_window->features().help->offerTour();
@@ -455,7 +480,23 @@ private slots:
         m_window = std::make_unique<MainWindow>(m_services);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-        QCOMPARE(m_window->size(), QSize(1280, 800));
+        QCOMPARE(m_window->size(), MainWindow::firstSize(m_window->screen()->availableSize()));
+        QCOMPARE(MainWindow::firstSize({1920, 1080}), QSize(1280, 800));
+        const QSize small = MainWindow::firstSize({1280, 800}); // the system's title bar comes on top
+        QVERIFY(small.width() < 1280 && small.height() <= 760);
+    }
+
+    void fullScreenLeavesAMaximizedWindowMaximized()
+    {
+        m_window->showMaximized();
+        QTRY_VERIFY(m_window->isMaximized());
+        for (int i = 0; i < 2; ++i) {
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(m_window->isFullScreen() && action("fullScreen")->isChecked());
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(!m_window->isFullScreen() && !action("fullScreen")->isChecked());
+            QVERIFY(m_window->isMaximized());
+        }
     }
 
     void panelsCloseComeBackAndAreRemembered()

@@ -35,10 +35,10 @@ Center::Center(Document& document, const QString& examplesFolder, QWidget* paren
     column->setSpacing(0);
     m_pages->addWidget(m_home);
     m_pages->addWidget(m_views);
-    column->addWidget(m_banner);
     m_row->setSpacing(0);
     m_row->addWidget(m_pages, 1);
     column->addLayout(m_row, 1);
+    m_banner->layOver(*m_pages);
     connect(m_pages, &QStackedWidget::currentChanged, this, &Center::showBars);
     connect(m_pages, &QStackedWidget::currentChanged, this, &Center::turned);
 }

@@ -15,8 +15,8 @@ class Document;
 class HomePage;
 class ViewGrid;
 
-/// The middle of the window: under a banner the first page, or the views with a bar for selecting beside them. Window thread
-/// only.
+/// The middle of the window: the first page, or the views with a bar for selecting beside them; a banner lies over both. Window
+/// thread only.
 class Center final : public QWidget {
     Q_OBJECT
 public:

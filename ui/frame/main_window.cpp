@@ -82,9 +82,16 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     m_docks.hideLaterOnes();
     m_layout = saveState();
     makeCommands();
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize())); // panels that were not laid out yet took more
+    resize(firstSize(screen()->availableSize())); // panels that were not laid out yet took more
     restoreSettings();
     m_notices->note(tr("Ready. Open a part with Ctrl+O, or drop a file on the window."));
+}
+
+QSize MainWindow::firstSize(const QSize& available)
+{
+    constexpr QSize wanted(1280, 800);
+    constexpr QSize frame(16, 48); // about; the system draws it, and its size is known when the window is shown
+    return wanted.boundedTo(available - frame);
 }
 
 /// The view lets go of the keyboard and of the document while that is still there.
@@ -180,7 +187,7 @@ void MainWindow::makeFeatures()
     f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
-    f.probes = new ProbesFeature(bench, f.measuring->measuring());
+    f.probes = new ProbesFeature(bench, f.measuring->measuring(), f.projects->keeper());
     f.hands = new HandsFeature(bench, *m_modes);
     f.recording = new RecordingFeature(bench);
     f.selection = new SelectionFeature(
@@ -212,7 +219,7 @@ void MainWindow::makeCommands()
     connect(m_actions->palette, &QAction::triggered, this, [this] { m_palette->open(); });
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_actions->fullScreen, &QAction::triggered, this,
-            [this](bool isFull) { isFull ? showFullScreen() : showNormal(); });
+            [this](bool isFull) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, isFull)); });
     connect(preferences, &PreferencesFeature::applied, this, &MainWindow::followPreferences);
     connect(preferences, &PreferencesFeature::wordsChanged, this, &MainWindow::sayAllAnew);
     connect(m_features->simulation, &SimulationFeature::threadsChosen, preferences, &PreferencesFeature::chooseThreads);
@@ -242,6 +249,7 @@ void MainWindow::restoreSettings()
     m_features->preferences->apply();
     m_features->preferences->applyLook();
     restoreGeometry(settings.value("geometry").toByteArray());
+    m_actions->fullScreen->setChecked(isFullScreen());
     restoreState(settings.value("docks").toByteArray(), layoutVersion);
     m_display->restore();
     m_views->restore();
