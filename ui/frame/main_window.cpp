@@ -104,6 +104,7 @@ QSize MainWindow::firstSize(const QSize& available)
 /// The view lets go of the keyboard and of the document while that is still there.
 MainWindow::~MainWindow()
 {
+    disconnect(qApp, nullptr, this, nullptr);
     hide();
     m_tasks.stop();
     delete m_features->preferences; // its dialog asks for the window's actions to the end
@@ -310,6 +311,12 @@ void MainWindow::connectActions()
             m_document.addTool(toolsToAdd()[static_cast<std::size_t>(action->data().toInt())]);
             m_viewport->setFocus(); // the arrow keys shall drive it
         });
+    for (const QuantityField* field : findChildren<QuantityField*>()) // the keys are the view's again
+        connect(field, &QuantityField::finished, this, [this] {
+            if (m_viewport->isVisible())
+                m_viewport->setFocus();
+        });
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::showHint); // keys drive in the view only
     connect(a.fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
     m_modes->add(a.fixFaces);
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
@@ -468,6 +475,9 @@ void MainWindow::showHint()
         m_hint->setText(tr("Click faces to hold or free them   Esc: done"));
     else if (const QString hint = hands().hint(); !hint.isEmpty())
         m_hint->setText(hint);
+    else if (m_document.selection().kind == Selection::Kind::Tool && !m_viewport->hasFocus() &&
+             QApplication::focusWidget() != nullptr)
+        m_hint->setText(tr("Click into the view: arrows then drive the tool   Middle: orbit"));
     else if (m_document.selection().kind == Selection::Kind::Tool)
         m_hint->setText(tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit"));
     else

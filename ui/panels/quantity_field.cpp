@@ -110,6 +110,7 @@ void QuantityField::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape) {
         restore();
+        emit finished();
         return;
     }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
@@ -117,6 +118,8 @@ void QuantityField::keyPressEvent(QKeyEvent* event)
             commit();
         else
             restore();
+        if (!hasProblem())
+            emit finished();
         return;
     }
     QLineEdit::keyPressEvent(event);
