@@ -235,6 +235,7 @@ void MainWindow::makeFeatures()
     f.recipes = new RecipesFeature(bench, *f.projects, *m_actions->exportRecipe);
     f.imports = new ImportFeature(bench, *m_actions, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench, *m_actions->exportMeshes);
+    connect(f.recipes, &RecipesFeature::exportWanted, m_actions->exportMeshes, &QAction::trigger);
     f.simulation = new SimulationFeature(bench, *m_actions, *m_readings, *f.imports);
     f.views = new ViewsFeature(bench, *m_actions);
     f.measuring = new MeasuringFeature(bench, *m_modes);

@@ -3,6 +3,9 @@
 #include "ui/frame/workbench.h"
 
 #include <QObject>
+#include <QStringList>
+
+#include <memory>
 
 class QAction;
 
@@ -16,18 +19,27 @@ class RecipesFeature final : public QObject {
 public:
     RecipesFeature(const Workbench& bench, ProjectsFeature& projects, const QAction& exportAction);
 
+    /// Files that the opened recipe names; they are offered when it has come to its end.
+    const QStringList& namedExports() const { return m_exports; }
+
     /// @return whether they were a matter of recipes
     bool opened(const QStringList& paths);
     /// Writes the session as a recipe in the background.
     void exportTo(const QString& path);
 
+signals:
+    void exportWanted();
+
 private:
+    void offerExports();
     void open(const QString& path);
     void askForRecipe();
     void write(const QString& path);
 
     Workbench m_bench;
     ProjectsFeature& m_projects;
+    QStringList m_exports;
+    std::shared_ptr<const Model> m_model; ///< of the recipe
 };
 
 } // namespace knead
