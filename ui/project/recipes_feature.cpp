@@ -36,8 +36,7 @@ void RecipesFeature::offerExports()
 {
     if (m_exports.isEmpty())
         return;
-    const QString sentence =
-        tr("The recipe has come to its end, and names files to export: %1.").arg(m_exports.join(QStringLiteral(", ")));
+    const QString sentence = tr("The recipe names files to export: %1.").arg(m_exports.join(QStringLiteral(", ")));
     m_bench.notices.warn(sentence);
     m_bench.notices.advise(sentence, tr("Export..."), [this] { emit exportWanted(); });
 }
