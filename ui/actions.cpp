@@ -81,6 +81,18 @@ Actions::Actions(QWidget* window)
                         nullptr,
                         {QKeySequence("Ctrl+Shift+O")},
                         QT_TR_NOOP("Look into files and choose parts, detail and units before they are opened")}))
+    , addPart(make(window, {"addPart",
+                            QT_TR_NOOP("Add &part..."),
+                            nullptr,
+                            {},
+                            QT_TR_NOOP("Open more parts together with those that are open, as one assembly: the work "
+                                       "begins anew")}))
+    , firstPage(make(window, {"firstPage",
+                              QT_TR_NOOP("First pa&ge"),
+                              nullptr,
+                              {},
+                              QT_TR_NOOP("Examples and files of late; the part that is open stays, and Esc comes back"),
+                              true}))
     , save(make(window, {"save",
                          QT_TR_NOOP("&Save"),
                          "save",
@@ -298,8 +310,8 @@ Actions::Actions(QWidget* window)
 
 void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
 {
-    for (QAction* action : {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, oneView,
-                            twoViews, fourViews, edges, openEdges, grid})
+    for (QAction* action : {addPart, firstPage, save, saveAs, fit, front, back, right, left, top, bottom, isometric,
+                            perspective, oneView, twoViews, fourViews, edges, openEdges, grid})
         action->setEnabled(isOpen);
     for (QAction* action :
          {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, keepUp, recordVideo,

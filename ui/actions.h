@@ -16,6 +16,8 @@ struct Actions {
 
     QAction* open;
     QAction* openWithChoices;
+    QAction* addPart;
+    QAction* firstPage;
     QAction* save;
     QAction* saveAs;
     QAction* recover;

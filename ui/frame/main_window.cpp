@@ -279,7 +279,10 @@ void MainWindow::makeMenus()
     m_addTool->setObjectName("addTool");
     m_addTool->setEnabled(false);
     m_addTool->menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
-    const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline, *m_recent, *m_addTool};
+    auto* examples = new QMenu(tr("E&xamples"), this);
+    examples->setObjectName("examplesMenu");
+    m_home->fillExamples(*examples);
+    const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline, *m_recent, *examples, *m_addTool};
     QMenu* panels = fillMenuBar(*this, sources);
     m_features->help->setToolBar(makeToolBar(*this, sources));
     listPanels(*this, *panels, *m_selectionBar, *m_actions);
@@ -306,6 +309,7 @@ void MainWindow::connectActions()
 {
     const Actions& a = *m_actions;
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
+    connect(a.firstPage, &QAction::toggled, this, &MainWindow::showFirstPage);
     connect(a.cancel, &QAction::triggered, this, &MainWindow::cancel);
     for (QAction* action : a.addTool)
         connect(action, &QAction::triggered, this, [this, action] {
@@ -433,6 +437,7 @@ void MainWindow::modelChanged()
     m_selectionBar->setVisible(
         QSettings().value(selectionBarShown, true).toBool()); // the view is laid out, and drawn, once
     m_pages->setCurrentWidget(m_views);
+    m_actions->firstPage->setChecked(false);
     m_actions->setDocumentOpen(true, isSimulated);
     m_features->views->showArrangement();
     m_addTool->setEnabled(isSimulated);
@@ -485,12 +490,28 @@ void MainWindow::showHint()
         m_hint->setText(tr("Middle: orbit   Shift+middle: pan   Wheel: zoom"));
 }
 
-/// Esc: gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
+/// What is open stays so, and time stands still meanwhile: nobody sees it.
+void MainWindow::showFirstPage(bool on)
+{
+    if (m_document.isEmpty())
+        return;
+    if (on)
+        m_document.pause();
+    m_pages->setCurrentWidget(on ? static_cast<QWidget*>(m_home) : m_views);
+    if (!on)
+        m_viewport->setFocus();
+}
+
+/// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
 /// selects nothing.
 void MainWindow::cancel()
 {
     if (m_viewport->cancelDrag())
         return;
+    if (m_actions->firstPage->isChecked() && !m_tasks.isRunning()) {
+        m_actions->firstPage->setChecked(false);
+        return;
+    }
     if (m_tasks.isRunning())
         m_tasks.cancel();
     else if (m_modes->leave())

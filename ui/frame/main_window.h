@@ -87,6 +87,7 @@ private:
     void documentChanged(Document::Change what);
     void modelChanged();
     void selectionChanged();
+    void showFirstPage(bool on);
     void historyChanged();
     void showHint();
     void showSelectionBar();

@@ -37,6 +37,8 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     file->setObjectName("fileMenu");
     file->addActions({a.open, a.openWithChoices});
     file->addMenu(&sources.recent);
+    file->addMenu(&sources.examples);
+    file->addActions({a.addPart, a.firstPage});
     file->addSeparator();
     file->addActions({a.save, a.saveAs, a.exportMeshes, a.exportRecipe});
     file->addSeparator();

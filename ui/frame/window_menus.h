@@ -19,7 +19,8 @@ struct MenuSources {
     const Features& features;
     const Display& display;
     const TimelinePanel& timeline;
-    QMenu& recent;  ///< files
+    QMenu& recent; ///< files
+    QMenu& examples;
     QMenu& addTool; ///< gets its actions
 };
 

@@ -45,6 +45,7 @@ ImportFeature::ImportFeature(const Workbench& bench, const Actions& actions, Pro
     bench.docks.add("importDock", tr("Import report"), m_panel);
     connect(actions.open, &QAction::triggered, this, [this] { askForFile(false); });
     connect(actions.openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
+    connect(actions.addPart, &QAction::triggered, this, &ImportFeature::askForParts);
     connect(m_panel, &ImportPanel::unitChosen, this, &ImportFeature::takeIn);
     connect(m_panel, &ImportPanel::healingChosen, this, &ImportFeature::takeHealed);
     connect(m_panel, &ImportPanel::fillingChosen, this, &ImportFeature::fillOpenParts);
@@ -121,6 +122,32 @@ void ImportFeature::askForFile(bool withChoices)
     askForFilesToRead(m_bench.window, question, [this, withChoices](const QStringList& paths) {
         m_projects.keeper().letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
     });
+}
+
+void ImportFeature::askForParts()
+{
+    const FileQuestion question{.name = "addPartDialog",
+                                .title = tr("Add parts"),
+                                .filters = QStringList(tr("Parts (%1)").arg(patternsToRead())) + filtersToRead(),
+                                .key = "folder"};
+    askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { addParts(paths); });
+}
+
+/// A session is of one model, so a new one begins.
+void ImportFeature::addParts(const QStringList& paths)
+{
+    if (m_bench.document.isEmpty())
+        return;
+    ImportChoices request = m_bench.document.content().request;
+    if (request.paths.empty()) {
+        m_bench.notices.problem(tr("Where these parts were read from is not known, so nothing can be opened together "
+                                   "with them."));
+        return;
+    }
+    for (const QString& path : paths)
+        request.paths.push_back(QFile::encodeName(path).toStdString());
+    request.spacing.reset(); // it was chosen for fewer
+    m_projects.keeper().letGo([this, request] { open(request); });
 }
 
 void ImportFeature::askForChoices(std::vector<FilePreview> previews)

@@ -32,6 +32,8 @@ public:
     /// Once what is not saved may go.
     void openInstead(const QStringList& paths);
     void askForFile(bool withChoices);
+    /// Opens files together with those that are open, once what is not saved may go.
+    void addParts(const QStringList& paths);
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
@@ -40,6 +42,7 @@ public:
     void showImport();
 
 private:
+    void askForParts();
     void askForChoices(std::vector<FilePreview> previews);
     void startRefill(double spacing);
     void refillOnceMore(double spacing);
