@@ -70,7 +70,12 @@ QList<QAction*> makeToolActions(QWidget* window)
 } // namespace
 
 Actions::Actions(QWidget* window)
-    : open(make(window, {"open",
+    : newWindow(make(window, {"newWindow",
+                              QT_TR_NOOP("&New window"),
+                              nullptr,
+                              {QKeySequence("Ctrl+N")},
+                              QT_TR_NOOP("Begin something else; what is open here stays")}))
+    , open(make(window, {"open",
                          QT_TR_NOOP("&Open..."),
                          "open",
                          {QKeySequence("Ctrl+O")},

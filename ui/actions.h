@@ -14,6 +14,7 @@ struct Actions {
     /// Makes them all; they work wherever the keyboard is in `window`.
     explicit Actions(QWidget* window);
 
+    QAction* newWindow;
     QAction* open;
     QAction* openWithChoices;
     QAction* addPart;

@@ -632,6 +632,13 @@ private slots:
         QVERIFY(m_window->viewport().isVisible() && !action("firstPage")->isChecked());
     }
 
+    void anotherWindowIsAtHand()
+    {
+        QAction* another = action("newWindow");
+        QVERIFY(another != nullptr && another->isEnabled()); // without a part, too
+        QCOMPARE(another->shortcut(), QKeySequence("Ctrl+N"));
+    }
+
     void partsAreAddedToThoseThatAreOpen()
     {
         openExample("bar.step", 10);

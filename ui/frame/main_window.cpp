@@ -40,6 +40,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -309,6 +310,10 @@ void MainWindow::connectActions()
 {
     const Actions& a = *m_actions;
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
+    connect(a.newWindow, &QAction::triggered, this, [this] { // a program of its own, as when it is started anew
+        if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {}))
+            m_notices->problem(tr("Another window could not be opened."));
+    });
     connect(a.firstPage, &QAction::toggled, this, &MainWindow::showFirstPage);
     connect(a.cancel, &QAction::triggered, this, &MainWindow::cancel);
     for (QAction* action : a.addTool)

@@ -35,7 +35,7 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     QMenuBar* bar = window.menuBar();
     QMenu* file = bar->addMenu(WindowMenus::tr("&File"));
     file->setObjectName("fileMenu");
-    file->addActions({a.open, a.openWithChoices});
+    file->addActions({a.newWindow, a.open, a.openWithChoices});
     file->addMenu(&sources.recent);
     file->addMenu(&sources.examples);
     file->addActions({a.addPart, a.firstPage});
