@@ -72,8 +72,8 @@ struct PartExportReport {
     /// Relative error of the volume; 0 for parts without one.
     double volumeError() const;
 
-    /// By how much the volume has changed since the part was imported, as a share of it; 0 for parts without one. Triangles are
-    /// compared with triangles: chords hold less than round faces do, before and after.
+    /// By how much the volume has changed since the part was imported, as a share of it; 0 for parts without one.
+    /// Triangles are compared with triangles: chords hold less than round faces do, before and after.
     double volumeChange() const;
 };
 

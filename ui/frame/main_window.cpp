@@ -507,8 +507,8 @@ void MainWindow::showFirstPage(bool on)
         m_viewport->setFocus();
 }
 
-/// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
-/// selects nothing.
+/// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the
+/// mode, else comes back from the past, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_viewport->cancelDrag())

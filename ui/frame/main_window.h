@@ -48,7 +48,8 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// At the first start, so that the window fits a screen together with its frame. @param available of the screen [pixels]
+    /// At the first start, so that the window fits a screen together with its frame. @param available of the screen
+    /// [pixels]
     static QSize firstSize(const QSize& available);
 
     const Features& features() const { return *m_features; }
