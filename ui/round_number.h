@@ -16,8 +16,8 @@ inline double roundUp(double least, std::initializer_list<double> digits = {1, 2
     return 10 * power;
 }
 
-/// The nearest number with so few digits, as a person would type it: 0.022 for 0.022033. Digits of an SI value are those in any
-/// metric unit.
+/// The nearest number with so few digits, as a person would type it: 0.022 for 0.022033. Digits of an SI value are
+/// those in any metric unit.
 inline double typedNumber(double value, int digits = 2)
 {
     if (value == 0 || !std::isfinite(value))

@@ -208,6 +208,7 @@ QToolBar QToolButton:checked { background: @tint; border-color: @accent; }
 QToolBar QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @tint; border: 1px solid @accent; border-radius: 5px; }
 QToolButton:focus { border: 1px solid @accent; border-radius: 5px; }
+QToolButton:checked:focus, QToolBar QToolButton:checked:focus { border-color: @text; }
 QToolBar QToolButton:checked:disabled { background: transparent; border-color: @line; }
 QToolBar QToolButton[popupMode="InstantPopup"] { padding-right: 12px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 1px; }

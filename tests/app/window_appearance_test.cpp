@@ -73,7 +73,7 @@ private slots:
     /// What is only expected is no reason to worry.
     void theFirstExampleOpensWithoutWarnings()
     {
-        openExample("bar.step", 60); // more than any machine keeps up with
+        openExample("bar.step", 160); // more than machines keep up with
         document().select({Selection::Kind::Body, 0});
         auto* ratio = find<QLabel>("expectedRatio");
         QTRY_VERIFY(ratio->isVisible() && !ratio->text().isEmpty());

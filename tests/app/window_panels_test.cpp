@@ -97,6 +97,45 @@ private slots:
         QVERIFY(!banner.isVisible());
     }
 
+    /// Typed numbers and clicks beside the part do not take the tool out of the hand.
+    void theViewHasTheKeysAfterTyping()
+    {
+        openExample("bar.step");
+        action("addBlock")->trigger();
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        auto& view = m_window->viewport();
+        auto* hint = find<QLabel>("navigationHint");
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Escape}) {
+            auto* field = find<QuantityField>("toolSpeed");
+            field->setFocus();
+            QVERIFY(field->hasFocus());
+            QVERIFY2(hint->text().contains("Click into the view"), qPrintable(hint->text()));
+            field->selectAll();
+            QTest::keyClicks(field, "30 mm/s");
+            QTest::keyClick(field, end);
+            QVERIFY(view.hasFocus());
+            QVERIFY2(hint->text().startsWith("Arrows"), qPrintable(hint->text()));
+        }
+        auto* field = find<QuantityField>("toolSpeed");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "fast");
+        QTest::keyClick(field, Qt::Key_Return); // there is something to mend
+        QVERIFY(field->hasProblem() && field->hasFocus());
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(view.hasFocus());
+
+        QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(30, view.height() - 30));
+        QTest::qWait(50);
+        QCOMPARE(document().selection().kind, Selection::Kind::Tool);
+        const double before = snapshot().tools[0].pose.position.x();
+        QTest::keyPress(&view, Qt::Key_Right);
+        QTRY_VERIFY(snapshot().tools[0].pose.position.x() != before);
+        QTest::keyRelease(&view, Qt::Key_Right);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape); // this gives it up
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::None);
+    }
+
     void newToolsHaveNumbersThatAPersonWouldType()
     {
         const auto significant = [](const QString& shown) {

@@ -2,6 +2,7 @@
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
 #include "support/projects_on_test.h"
+#include "ui/panels/timeline_axis.h"
 #include "ui/project/thumbnails.h"
 #include "ui/run_window.h"
 
@@ -190,6 +191,26 @@ private slots:
         QCOMPARE(hash(), saved);
         QCOMPARE(projects().path(), file("a.knead"));
         QVERIFY(!m_window->isWindowModified());
+    }
+
+    /// Nobody shall look for what was never kept.
+    void anOpenedProjectSaysThatItHasNoFilm()
+    {
+        openExample("bar.step", 10);
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        QVERIFY(!axis->lacksFilm());
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        waitForGesture();
+        QTRY_VERIFY(axis->timeline().end > 0.05 && !axis->lacksFilm());
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        openProject(file("a.knead"));
+        axis = find<TimelineAxis>("timelineAxis");
+        QTRY_VERIFY(axis->timeline().end > 0.05);
+        QVERIFY(axis->lacksFilm());
+        QTRY_VERIFY(action("filmPlay")->property("whyDisabled").toString().contains("no film"));
     }
 
     void savingWhileTimeRunsGoesOn()

@@ -7,6 +7,7 @@
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/preferences/preferences_dialog.h"
+#include "ui/project/project_keeper.h"
 #include "ui/run_window.h"
 
 #include <QCheckBox>
@@ -27,6 +28,7 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -617,6 +619,48 @@ private slots:
 
     // --- first page -----------------------------------------------------------------------------------------------------
 
+    void theFirstPageComesBackWithoutClosingThePart()
+    {
+        QVERIFY(!action("firstPage")->isEnabled() && !action("addPart")->isEnabled());
+        openExample("bar.step", 10);
+        press(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        action("firstPage")->trigger();
+        QVERIFY(find<QScrollArea>("homePage")->isVisible() && !m_window->viewport().isVisible());
+        QTRY_VERIFY(!snapshot().playing);
+        press(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_window->viewport().isVisible() && !find<QScrollArea>("homePage")->isVisible());
+        QVERIFY(!action("firstPage")->isChecked() && !document().isEmpty());
+        QTRY_VERIFY(document().isSettled());
+        m_window->projects().saveTo(QDir(m_folder.path()).filePath("first.knead"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified(), patience);
+        action("firstPage")->trigger();
+        auto* menu = find<QMenu>("examplesMenu");
+        QVERIFY(menu->isEnabled() && menu->actions().size() > 6);
+        action("example-plate.step")->trigger(); // another part ends it
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && m_window->windowTitle().startsWith("plate"),
+                                 patience);
+        QVERIFY(m_window->viewport().isVisible() && !action("firstPage")->isChecked());
+    }
+
+    void anotherWindowIsAtHand()
+    {
+        QAction* another = action("newWindow");
+        QVERIFY(another != nullptr && another->isEnabled()); // without a part, too
+        QCOMPARE(another->shortcut(), QKeySequence("Ctrl+N"));
+    }
+
+    void partsAreAddedToThoseThatAreOpen()
+    {
+        openExample("bar.step", 10);
+        QCOMPARE(document().content().model->parts.size(), std::size_t{1});
+        m_window->projects().saveTo(QDir(m_folder.path()).filePath("one.knead"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified() && !m_window->tasks().isRunning(), patience);
+        m_window->features().imports->addParts({example("plate.step")});
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && document().content().bodies.size() == 2, patience);
+        QCOMPARE(document().content().request.paths.size(), std::size_t{2});
+    }
+
     void theFirstPageShowsExamplesAndFilesOfLateAsPictures()
     {
         for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "plate"})
@@ -639,6 +683,8 @@ private slots:
     }
 
 private:
+    QTemporaryDir m_folder; ///< for projects
+
     CommandPalette* palette() { return find<CommandPalette>("commandPalette"); }
     PreferencesDialog* dialog() { return find<PreferencesDialog>("preferencesDialog"); }
 

@@ -17,7 +17,8 @@ namespace {
 constexpr QSize leastDialog(860, 540); // [pixels]
 constexpr int columnMargin = 24;       // around a text [pixels]
 
-/// Names get what there is, and sizes, kinds and dates what they take: Qt's columns are as wide as in the smallest dialog.
+/// Names get what there is, and sizes, kinds and dates what they take: Qt's columns are as wide as in the smallest
+/// dialog.
 void makeColumnsWide(QFileDialog& dialog)
 {
     auto* list = dialog.findChild<QTreeView*>("treeView");

@@ -58,6 +58,11 @@ void Center::showBars()
         bar->setVisible(hasViews() && QSettings().value(keyOf(*bar), true).toBool());
 }
 
+void Center::showHome()
+{
+    m_pages->setCurrentWidget(m_home);
+}
+
 /// The bars first: the view is laid out, and drawn, once.
 void Center::showViews()
 {

@@ -29,6 +29,7 @@ public:
     enum class Side { left, right };
     /// A bar beside the views comes and goes with them, unless a person does not want it.
     void addBar(QToolBar& bar, Side side);
+    void showHome(); ///< the first page
     void showViews();
     bool hasViews() const; ///< they are shown, not the first page
 

@@ -33,6 +33,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -97,6 +98,7 @@ QSize MainWindow::firstSize(const QSize& available)
 /// The view lets go of the keyboard and of the document while that is still there.
 MainWindow::~MainWindow()
 {
+    disconnect(qApp, nullptr, this, nullptr);
     hide();
     m_tasks.stop();
     delete m_features->preferences; // its dialog asks for the window's actions to the end
@@ -184,6 +186,7 @@ void MainWindow::makeFeatures()
     f.recipes = new RecipesFeature(bench, *f.projects);
     f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench);
+    connect(f.recipes, &RecipesFeature::exportWanted, f.exports->action(), &QAction::trigger);
     f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
@@ -229,7 +232,16 @@ void MainWindow::makeCommands()
 void MainWindow::connectActions()
 {
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions->newWindow, &QAction::triggered, this, &MainWindow::openAnother);
+    connect(m_actions->firstPage, &QAction::toggled, this, &MainWindow::showFirstPage);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
+    m_availability.needPart({m_actions->firstPage});
+    for (const QuantityField* field : findChildren<QuantityField*>()) // the keys are the view's again
+        connect(field, &QuantityField::finished, this, [this] {
+            if (m_viewport->isVisible())
+                m_viewport->setFocus();
+        });
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::showHint); // keys drive in the view only
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
     connect(m_center, &Center::turned, this, &MainWindow::showHint);
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
@@ -304,6 +316,7 @@ void MainWindow::modelChanged()
     const FilledModel& content = m_document.content();
     const bool isSimulated = !content.bodies.empty();
     m_center->showViews();
+    m_actions->firstPage->setChecked(false);
     m_features->views->showArrangement();
     m_modes->leave();
     m_features->simulation->showSurroundings();
@@ -334,7 +347,10 @@ QString MainWindow::hint() const
         return tr("Click faces to hold or free them   Esc: done");
     if (const QString ofHand = m_features->hands->hands().hint(); !ofHand.isEmpty())
         return ofHand;
-    if (m_document.selection().kind == Selection::Kind::Tool)
+    const bool isTool = m_document.selection().kind == Selection::Kind::Tool;
+    if (isTool && !m_viewport->hasFocus() && QApplication::focusWidget() != nullptr)
+        return tr("Click into the view: arrows then drive the tool   Middle: orbit");
+    if (isTool)
         return tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit");
     return tr("Middle: orbit   Shift+middle: pan   Wheel: zoom");
 }
@@ -344,12 +360,37 @@ void MainWindow::showHint()
     m_status->showHint(hint());
 }
 
-/// Esc: gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
-/// selects nothing.
+/// A program of its own, as when it is started anew.
+void MainWindow::openAnother()
+{
+    if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {}))
+        m_notices->problem(tr("Another window could not be opened."));
+}
+
+/// What is open stays so, and time stands still meanwhile: nobody sees it.
+void MainWindow::showFirstPage(bool on)
+{
+    if (m_document.isEmpty())
+        return;
+    if (on) {
+        m_document.pause();
+        m_center->showHome();
+        return;
+    }
+    m_center->showViews();
+    m_viewport->setFocus();
+}
+
+/// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the
+/// mode, else comes back from the past, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_viewport->cancelDrag())
         return;
+    if (m_actions->firstPage->isChecked() && !m_tasks.isRunning()) {
+        m_actions->firstPage->setChecked(false);
+        return;
+    }
     if (m_tasks.isRunning())
         m_tasks.cancel();
     else if (m_modes->leave())

@@ -7,8 +7,8 @@ class QToolButton;
 
 namespace knead {
 
-/// One sentence that does not stop the work, with at most two remedies to click. It lies over the upper edge of the view, which stays where
-/// it is while the mouse works in it.
+/// One sentence that does not stop the work, with at most two remedies to click. It lies over the upper edge of the
+/// view, which stays where it is while the mouse works in it.
 class Banner final : public QFrame {
     Q_OBJECT
 public:

@@ -81,8 +81,7 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
             ? QString()
             : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
     row->setText(
-        6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
-                                         formatChange(part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0)));
+        6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume), formatChange(part.volumeChange())));
     row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())

@@ -105,6 +105,11 @@ void TimelineAxis::paintEvent(QPaintEvent* /*event*/)
     paintFillings(painter);
     paintTicks(painter);
     paintHeads(painter);
+    if (lacksFilm()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(margin, 0, -margin, -1), Qt::AlignHCenter | Qt::AlignBottom,
+                         tr("no film kept"));
+    }
 }
 
 void TimelineAxis::paintRuler(QPainter& painter) const

@@ -20,6 +20,8 @@ public:
     void show(Timeline timeline);
     /// Where a person looks; none: at the present.
     void lookAt(std::optional<double> at);
+    /// Whether time was simulated of which nothing can be looked at: projects keep entries, and no film.
+    bool lacksFilm() const { return m_timeline.end > 0 && m_timeline.pictures.empty(); }
     std::optional<double> lookedAt() const { return m_looking; }
     const Timeline& timeline() const { return m_timeline; }
 

@@ -31,9 +31,11 @@ constexpr std::array<double, 7> rates{0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int usualRate = 3;    // index
 constexpr double onTick = 1e-9; // what the axis says is on a tick, is exactly there [s]
 
-QString whyNoFilm()
+QString whyNoFilm(bool wasSimulated = false)
 {
-    return TimelinePanel::tr("Simulate something first, and look back at it.");
+    return wasSimulated
+               ? TimelinePanel::tr("Projects keep entries and no film: go to one with a double click, or simulate on.")
+               : TimelinePanel::tr("Simulate something first, and look back at it.");
 }
 
 } // namespace
@@ -295,8 +297,11 @@ void TimelinePanel::stopLooking()
 void TimelinePanel::showState()
 {
     const bool hasFilm = !m_axis->timeline().pictures.empty();
-    for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd})
+    for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd}) {
         button->defaultAction()->setEnabled(hasFilm);
+        button->defaultAction()->setProperty("whyDisabled", whyNoFilm(m_axis->lacksFilm()));
+    }
+    m_rate->setProperty("whyDisabled", whyNoFilm(m_axis->lacksFilm()));
     m_rate->setEnabled(hasFilm);
     const bool isPlaying = m_player->isActive();
     m_play->defaultAction()->setIcon(icon(isPlaying ? "pause" : "film"));

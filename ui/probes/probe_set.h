@@ -35,12 +35,14 @@ public:
     void remove(std::size_t index);
     void clear();
 
-    /// As a project keeps them: a JSON text of where they are on the bodies as they were filled; empty: there are none.
+    /// As a project keeps them: a JSON text of where they are on the bodies as they were filled; empty: there are
+    /// none.
     std::string memory() const;
     /// The other way; what is no such text, or belongs to other bodies, is none.
     void remember(const std::string& memory);
 
-    /// Whether strain and stress are read while time runs, too, however many objects there are: it takes longer the more they are.
+    /// Whether strain and stress are read while time runs, too, however many objects there are: it takes longer the
+    /// more they are.
     void setWithStrains(bool on);
 
 signals:

@@ -137,8 +137,8 @@ bool ProjectKeeper::showModel(ReadProject& read)
     }
 }
 
-/// A camera that was kept for a window of another size may leave parts beside the view. Who saved it may have wanted that, but nobody
-/// chose when recovered work was kept.
+/// A camera that was kept for a window of another size may leave parts beside the view. Who saved it may have wanted
+/// that, but nobody chose when recovered work was kept.
 void ProjectKeeper::showView(const ProjectView& view, bool isRecovered)
 {
     const Camera camera = restored(view.camera);

@@ -18,7 +18,8 @@ constexpr int captionUnderName = 36; // [pixels]
 constexpr double fitTolerance = 1e-3;
 constexpr double turnBudget = 0.008; // for side views between two events; at least one is drawn [s]
 
-/// From where a part is looked at first: the free view as a new camera looks, the others from where they are named after.
+/// From where a part is looked at first: the free view as a new camera looks, the others from where they are named
+/// after.
 Vec3 firstDirection(ViewSlot slot)
 {
     const Vec3 directions[viewSlots] = {{1, -1, 1}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
