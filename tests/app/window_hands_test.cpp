@@ -6,7 +6,7 @@
 #include "ui/interaction/hands.h"
 #include "ui/interaction/key_hand.h"
 #include "ui/interaction/press_hand.h"
-#include "ui/interaction/pull_hand.h"
+#include "ui/interaction/sculpt_hand.h"
 #include "ui/measuring/fold_marks.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/plot_view.h"
@@ -268,7 +268,7 @@ private slots:
                 action(mode.toLatin1())->trigger();
             QCOMPARE(on(), QStringList(mode));
             QVERIFY(!gizmo().gizmo().has_value()); // its handles could not be taken
-            QCOMPARE(m_window->hands().pull().isOn(), mode == "pull");
+            QCOMPARE(m_window->hands().sculpting().brush().has_value(), mode == "pull");
             QCOMPARE(m_window->hands().pressing().isOn(), mode == "press");
             QCOMPARE(view().isFixing(), mode == "fixFaces");
         }
@@ -469,28 +469,28 @@ private slots:
         const Box box = document().content().box;
         const Vec3 taken(box.max().x() - 0.1 * box.sizes().x(), box.min().y(), box.center().z());
         press(view().widgetPosition(taken)->toPoint());
-        QVERIFY(m_window->hands().pull().isPulling());
+        QVERIFY(m_window->hands().sculpting().isStroking());
         QTRY_VERIFY(snapshot().fixtures.size() == 2);
         for (int i = 1; i <= 12; ++i) {
             drag(QPoint(0, -10 * i));
             QTest::qWait(25);
         }
         QTRY_VERIFY_WITH_TIMEOUT(largestRise() > 0.002, patience);
-        QVERIFY(m_window->hands().pull().force() > 0);
-        QTRY_VERIFY(find<QWidget>("pullSpring")->isVisible());
+        QVERIFY(m_window->hands().sculpting().force() > 0);
+        QTRY_VERIFY(find<QWidget>("sculptOverlay")->isVisible());
         const double time = snapshot().time;
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.5, patience);
         pictures("pull");
         release();
         QTRY_VERIFY(!snapshot().playing); // it stood still before
-        QVERIFY(!m_window->hands().pull().isPulling());
+        QVERIFY(!m_window->hands().sculpting().isStroking());
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
         settle();
         QCOMPARE(tree().records().size(), entries + 1);
         verifyUndo(before, "Pull " + QString::fromStdString(document().content().bodies[0]->name));
         verifyStraightRun();
         key(Qt::Key_Escape);
-        QVERIFY(!m_window->hands().pull().isOn());
+        QVERIFY(!m_window->hands().sculpting().brush().has_value());
     }
 
     /// It comes along the normal, stops at its limit, and is lifted; all of that is one entry.
@@ -637,12 +637,12 @@ private slots:
         QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
         const Box box = document().content().box;
         press(view().widgetPosition(Vec3(box.center().x(), box.center().y(), box.max().z()))->toPoint());
-        QVERIFY(!m_window->hands().pull().isPulling());
+        QVERIFY(!m_window->hands().sculpting().isStroking());
         QVERIFY2(m_window->banner().sentence().contains("make it deformable"),
                  qPrintable(m_window->banner().sentence()));
         release();
         key(Qt::Key_X); // the other mode of the left button
-        QVERIFY(!m_window->hands().pull().isOn());
+        QVERIFY(!m_window->hands().sculpting().brush().has_value());
     }
 
     /// One half of a bar is turned over onto the other: that is said, and seen where it is, until it is undone.

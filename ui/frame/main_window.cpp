@@ -201,8 +201,10 @@ void MainWindow::makeFeatures()
     connect(&f.measuring->measuring(), &Measuring::promptChanged, this, &MainWindow::showHint);
     connect(&f.hands->hands(), &Hands::modeChanged, this, &MainWindow::showHint);
     m_selectionBar = f.selection->newBar(m_center);
-    m_center->setBar(*m_selectionBar);
-    m_availability.needPart({m_selectionBar->toggleViewAction()});
+    m_sculptBar = f.hands->hands().newSculptBar(m_center);
+    m_center->addBar(*m_selectionBar, Center::Side::left);
+    m_center->addBar(*m_sculptBar, Center::Side::right);
+    m_availability.needPart({m_selectionBar->toggleViewAction(), m_sculptBar->toggleViewAction()});
 }
 
 void MainWindow::makeMenus()
@@ -210,7 +212,7 @@ void MainWindow::makeMenus()
     const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline};
     QMenu* panels = fillMenuBar(*this, sources);
     m_features->help->setToolBar(makeToolBar(*this, sources));
-    listPanels(*this, *panels, *m_selectionBar, *m_actions);
+    listPanels(*this, *panels, {m_selectionBar, m_sculptBar}, *m_actions);
 }
 
 /// After all panels, menus and actions are there.

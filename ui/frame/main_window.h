@@ -111,6 +111,7 @@ private:
     Display* m_display = nullptr;
     StatusLine* m_status = nullptr;
     QToolBar* m_selectionBar = nullptr;
+    QToolBar* m_sculptBar = nullptr;
     CommandPalette* m_palette = nullptr;
     QByteArray m_layout; ///< of panels, as it came
 };

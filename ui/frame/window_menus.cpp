@@ -170,7 +170,7 @@ QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources)
     return *bar;
 }
 
-void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const WindowActions& actions)
+void listPanels(QMainWindow& window, QMenu& panels, const QList<QToolBar*>& besides, const WindowActions& actions)
 {
     const auto add = [&panels](QAction* toggle, const QString& name) {
         toggle->setObjectName("show_" + name);
@@ -181,7 +181,8 @@ void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, con
     panels.addSeparator();
     for (const QToolBar* bar : window.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
         add(bar->toggleViewAction(), bar->objectName());
-    add(besides.toggleViewAction(), besides.objectName());
+    for (const QToolBar* bar : besides)
+        add(bar->toggleViewAction(), bar->objectName());
     panels.addSeparator();
     panels.addAction(actions.resetLayout);
 }

@@ -41,7 +41,7 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources);
 QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources);
 
 /// Every dock and bar can be closed and comes back from here.
-/// @param besides another bar, in the middle of the window
-void listPanels(QMainWindow& window, QMenu& panels, const QToolBar& besides, const WindowActions& actions);
+/// @param besides other bars, in the middle of the window
+void listPanels(QMainWindow& window, QMenu& panels, const QList<QToolBar*>& besides, const WindowActions& actions);
 
 } // namespace knead
