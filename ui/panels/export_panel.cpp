@@ -80,8 +80,8 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
         part.samples == 0
             ? QString()
             : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
-    row->setText(
-        6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume), formatChange(part.volumeChange())));
+    row->setText(6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
+                                                  formatChange(part.volumeChange())));
     row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())
