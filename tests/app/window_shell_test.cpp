@@ -777,7 +777,8 @@ private:
             }
         }
         for (const QAction* action : m_window->findChildren<QAction*>())
-            texts << action->text() << action->toolTip();
+            if (!action->objectName().startsWith("example-")) // names of files, as "Bend bar", are no words of ours
+                texts << action->text() << action->toolTip();
         texts.removeDuplicates();
         texts.removeAll(QString());
         return texts;
