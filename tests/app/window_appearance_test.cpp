@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QSettings>
 #include <QTextLayout>
+#include <QTreeWidget>
 
 #include <algorithm>
 

@@ -4,6 +4,8 @@
 #include "ui/round_number.h"
 #include "ui/units.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
