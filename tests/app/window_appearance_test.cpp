@@ -10,6 +10,7 @@
 #include "ui/viewport/scene_style.h"
 #include "ui/viewport/side_view.h"
 
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSettings>
