@@ -3,6 +3,7 @@
 #include "core/skin/fragments.h"
 #include "support/story_on_test.h"
 #include "ui/interaction/press_hand.h"
+#include "ui/interaction/sculpt_hand.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
 
@@ -261,6 +262,61 @@ private slots:
         exportByHand(file("grip.step"));
         stage("exported");
         QFile written(file("grip.step"));
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll().count("ADVANCED_FACE("), 7);
+    }
+
+    /// A grip is shaped for a hand with brushes only: four fingers on both sides at once, a thumb on top, smoothed, and exported as the
+    /// seven faces that were opened.
+    void aGripIsShapedForAHand()
+    {
+        beginStory("sculpt");
+        openByHand(example("grip.step"));
+        choose("materialPreset", "Mod", "Modeling clay");
+        QTRY_VERIFY(snapshot().materials[0].yieldStress > 0);
+        const std::size_t entries = document().history().tree().records().size();
+        const SculptHand& hand = m_window->hands().sculpting();
+        key(Qt::Key_T);
+        key(Qt::Key_Y, Qt::ShiftModifier);
+        QVERIFY(action("sculptThumb")->isChecked() && action("mirrorY")->isChecked());
+        const auto highest = [this](double x, double y) {
+            Vec3 place = at(x, y, -1000);
+            for (const Vec3& vertex : document().content().bodies[0]->mesh.vertices)
+                if ((vertex - at(x, y, 0)).head<2>().norm() < 3 * millimeter && vertex.z() > place.z())
+                    place = vertex;
+            return place;
+        };
+        const auto stroke = [&](const Vec3& from, const QPoint& way, double time) {
+            const QPoint pixel = view().widgetPosition(from)->toPoint();
+            QTest::mouseMove(&view(), pixel);
+            QTest::mousePress(&view(), Qt::LeftButton, {}, pixel);
+            QVERIFY(hand.isStroking());
+            const double begin = snapshot().time;
+            for (int step = 0; step < 6; ++step) {
+                QTest::mouseMove(&view(), pixel + way * step / 6);
+                waitUntil([&] { return snapshot().time > begin + time * (step + 1) / 6; });
+            }
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, pixel + way * 5 / 6);
+            QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing, patience);
+            waitForGesture();
+        };
+        for (const double x : {25.0, 47.0, 69.0, 91.0}) {
+            stroke(highest(x, -12), {}, 0.4);
+            if (x == 69.0)
+                stage("fingers");
+        }
+        key(Qt::Key_Y, Qt::ShiftModifier);
+        key(Qt::Key_S);
+        stroke(highest(36, -6), QPoint(60, 20), 0.6);
+        stage("smoothed");
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.english().c_str());
+        QVERIFY(snapshot().tools.empty() && snapshot().fixtures.empty());
+        QCOMPARE(document().history().tree().records().size(), entries + 5);
+        key(Qt::Key_Escape);
+        endStory();
+        exportByHand(file("shaped.step"));
+        stage("exported");
+        QFile written(file("shaped.step"));
         QVERIFY(written.open(QIODevice::ReadOnly));
         QCOMPARE(written.readAll().count("ADVANCED_FACE("), 7);
     }

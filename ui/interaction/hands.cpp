@@ -82,7 +82,7 @@ void Hands::makeBrushes()
              tr("Press a disc down to the plane that the surface has where you begin")),
         make("sculptPinch", tr("Pinch"), "sculpt-pinch", Qt::Key_C,
              tr("Draw material together with four fingers, as for a ridge")),
-        make("sculptSmear", tr("Smear"), "sculpt-smear", Qt::Key_M,
+        make("sculptSmear", tr("Smear"), "sculpt-smear", Qt::Key_Y,
              tr("Take the surface along with a ball that grips it")),
         make("sculptBend", tr("Bend here"), "sculpt-bend", Qt::Key_U,
              tr("Tilt the material at the cursor towards where you draw")),
