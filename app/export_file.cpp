@@ -38,7 +38,9 @@ PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
     report.facesAfter = static_cast<int>(mesh.triangles.size());
     report.edgesBefore = report.edgesAfter = part.part.edges;
     report.restVolume = part.part.volume;
-    if (part.before) {
+    report.restVolumeOfMesh = massProperties(part.part.mesh).volume;
+    if (part.before) { // its mesh is not that of the import
+        report.restVolumeOfMesh = 0;
         report.restVolume = part.before->volume;
         report.facesBefore = part.before->faces;
     }

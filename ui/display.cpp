@@ -15,6 +15,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -54,7 +55,7 @@ Display::Display(const Workbench& bench)
     connect(&bench.viewport, &ViewportWidget::optionsChanged, this, &Display::follow);
     connect(&bench.document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Model)
-            follow();
+            contentChanged();
     });
 }
 
@@ -397,6 +398,15 @@ void Display::follow()
         if (action->data().toInt() == numberOf(options.colors.quantity))
             action->setChecked(true);
     emit changed();
+}
+
+/// Another part looks as what it is made of.
+void Display::contentChanged()
+{
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_bench.document.content().model);
+    if (before != nullptr && before != m_model)
+        setQuantity(std::nullopt);
+    follow();
 }
 
 } // namespace knead

@@ -6,6 +6,7 @@
 #include <QList>
 #include <QObject>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,7 @@ private:
     void switchAutomatic(bool on);
     void setHatched(bool on);
     void follow();
+    void contentChanged();
 
     Workbench m_bench;
     QAction* m_skin = nullptr;
@@ -102,8 +104,9 @@ private:
     QList<QAction*> m_shown;
     QMenu* m_menu = nullptr;
     Section m_plane;
-    Box m_placedIn;             ///< what the plane was placed in [m]; empty at first
-    bool m_isFollowing = false; ///< actions only show what the view has
+    std::shared_ptr<const Model> m_model; ///< that was opened
+    Box m_placedIn;                       ///< what the plane was placed in [m]; empty at first
+    bool m_isFollowing = false;           ///< actions only show what the view has
     bool m_lendsObjects = false;
 };
 

@@ -205,6 +205,10 @@ QToolBar { border: none; border-bottom: 1px solid @line; padding: 3px 6px; spaci
 QToolBar QToolButton { padding: 4px 7px; border: 1px solid transparent; border-radius: 5px; }
 QToolBar QToolButton:hover { background: @button; border-color: @line; }
 QToolBar QToolButton:checked { background: @tint; border-color: @accent; }
+QToolBar QToolButton:focus { border-color: @accent; }
+QToolButton:checked { background: @tint; border: 1px solid @accent; border-radius: 5px; }
+QToolButton:focus { border: 1px solid @accent; border-radius: 5px; }
+QToolButton:checked:focus, QToolBar QToolButton:checked:focus { border-color: @text; }
 QToolBar QToolButton:checked:disabled { background: transparent; border-color: @line; }
 QToolBar QToolButton[popupMode="InstantPopup"] { padding-right: 12px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 1px; }
@@ -213,6 +217,7 @@ QToolBar::separator:horizontal { width: 1px; margin: 5px 2px; }
 QToolBar::separator:vertical { height: 1px; margin: 2px 5px; }
 QTabBar::tab { padding: 3px 8px; border: none; background: transparent; color: @dimmed; }
 QTabBar::tab:hover { color: @text; }
+QTabBar::tab:selected:focus { background: @tint; }
 QTabBar::tab:selected { background: @base; color: @text; }
 QTabBar::tab:bottom { border-bottom: 2px solid transparent; }
 QTabBar::tab:bottom:selected { border-bottom-color: @accent; }
@@ -220,7 +225,8 @@ QTabBar::tab:top { border-top: 2px solid transparent; }
 QTabBar::tab:top:selected { border-top-color: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
-QTreeView, QPlainTextEdit { border: none; background: @base; }
+QTreeView, QPlainTextEdit { border: 1px solid transparent; background: @base; }
+QTreeView:focus, QPlainTextEdit:focus { border-color: @accent; }
 QTreeView::item { padding: 3px 2px; }
 QLineEdit { padding: 3px 6px; min-height: 18px; border: 1px solid @line; border-radius: 4px; background: @base; }
 QLineEdit:focus { border-color: @accent; }
@@ -229,14 +235,17 @@ QLineEdit[problem="true"] { border: 1px solid @problem; color: @problem; }
 QComboBox, QSpinBox { min-height: 22px; }
 QPushButton { padding: 5px 12px; border: 1px solid @line; border-radius: 5px; background: @button; }
 QPushButton:hover { border-color: @accent; }
+QPushButton:focus { border: 2px solid @accent; padding: 4px 11px; }
 QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
+QPushButton[role="primary"]:focus { border-color: @text; }
 QToolButton[role="primary"] { padding: 7px 18px; border: 1px solid @accent; border-radius: 5px; background: @accent;
     color: @accentText; font-weight: 600; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { padding: 4px 3px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
+QListWidget:focus { border-color: @accent; }
 QListWidget::item { padding: 7px 8px; border-radius: 4px; }
 QListWidget::item:selected { background: @accent; color: @accentText; }
 QStatusBar { border-top: 1px solid @line; }
@@ -250,12 +259,13 @@ QLabel[role="big"] { font-size: 16pt; font-weight: 600; }
 QLabel[role="force"] {
     background: @tip; color: @text; border: 1px solid @line; border-radius: 4px; padding: 2px 6px; font-weight: 600;
 }
-QFrame#banner { background: @tip; border: none; border-bottom: 2px solid @problem; }
+QFrame#banner { background: @tip; border: 1px solid @line; border-bottom: 2px solid @problem; border-radius: 4px; }
 QFrame#dropZone { border: 2px dashed @line; border-radius: 12px; background: @base; }
 QFrame#dropZone[isOver="true"] { border-color: @accent; background: @tint; }
 QFrame#waitingWork { border: 1px solid @line; border-left: 4px solid @accent; border-radius: 6px; background: @base; }
 QLabel[role="title"] { font-size: 12pt; font-weight: 600; }
 QTreeView[role="framed"] { border: 1px solid @line; border-radius: 4px; }
+QTreeView[role="framed"]:focus { border-color: @accent; }
 QFrame#commandPalette { background: @tip; border: 1px solid @accent; border-radius: 9px; }
 QFrame#commandPalette QListWidget { border: none; background: transparent; }
 QWidget#tourCard { background: @tip; border: 1px solid @line; border-radius: 9px; }

@@ -101,6 +101,17 @@ constexpr LengthSystem systems[] = {{"mm", nullptr, nullptr, nullptr},
                                     {"in", "in/s", "in²", "in³"}};
 std::atomic<const LengthSystem*> lengthSystem = systems; // tasks write numbers, too
 
+/// How numbers are written in a language.
+struct NumberStyle {
+    const char* code;
+    char16_t point; ///< before decimals
+    char16_t group; ///< between thousands
+};
+
+constexpr NumberStyle numberStyles[] = {
+    {"en", u'.', u','}, {"de", u',', u'.'}, {"fr", u',', u'\u202f'}, {"nl", u',', u'.'}};
+std::atomic<const NumberStyle*> numberStyle = numberStyles; // tasks write numbers, too
+
 /// The unit that was chosen for a quantity; null: none.
 const Unit* chosenUnit(Quantity quantity)
 {
@@ -193,10 +204,27 @@ QString lengthUnit()
     return lengthSystem.load()->length;
 }
 
+void setNumberLanguage(const QString& code)
+{
+    for (const NumberStyle& style : numberStyles)
+        if (code == QLatin1String(style.code))
+            numberStyle = &style;
+}
+
+QString localNumber(QString number)
+{
+    return number.replace(QLatin1Char('.'), QChar(numberStyle.load()->point));
+}
+
+QString localNumber(double value, char format, int digits)
+{
+    return localNumber(QString::number(value, format, digits));
+}
+
 QString formatQuantity(double value, Quantity quantity)
 {
     const Unit& unit = displayUnit(value, quantity);
-    const QString number = QLocale::c().toString(value / unit.scale, 'g', 5);
+    const QString number = localNumber(value / unit.scale, 'g', 5);
     const QString symbol = QString::fromUtf8(unit.symbol);
     const bool isClose = symbol.isEmpty() || symbol == QString::fromUtf8("°");
     return isClose ? number + symbol : number + ' ' + symbol;
@@ -227,7 +255,7 @@ QString formatReading(double value, Quantity quantity)
     const double rounded = QString::number(value, 'g', 3).toDouble();
     const bool isFine = quantity == Quantity::Length && rounded != 0 && std::abs(rounded) < fineLength;
     if (isFine && chosenUnit(quantity) == nullptr)
-        return QLocale::c().toString(1e6 * rounded, 'g', 5) + QStringLiteral(" µm");
+        return localNumber(1e6 * rounded, 'g', 5) + QStringLiteral(" µm");
     return formatQuantity(rounded, quantity);
 }
 
@@ -275,12 +303,16 @@ std::optional<double> parseQuantity(const QString& text, Quantity quantity, doub
 QString formatChange(double share)
 {
     constexpr double least = 5e-5;
-    return std::abs(share) < least ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * share);
+    return std::abs(share) < least ? QStringLiteral("0 %") : localNumber(QString::asprintf("%+.2f %%", 100 * share));
 }
 
 QString formatCount(std::size_t count)
 {
-    return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));
+    QString digits = QString::number(static_cast<qulonglong>(count));
+    constexpr qsizetype together = 3;
+    for (qsizetype at = digits.size() - together; at > 0; at -= together)
+        digits.insert(at, QChar(numberStyle.load()->group));
+    return digits;
 }
 
 } // namespace knead

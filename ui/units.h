@@ -18,6 +18,12 @@ Quantity quantityOfUnit(const std::string& unit);
 void setLengthUnit(const QString& symbol);
 QString lengthUnit();
 
+/// Has numbers written as people of a language do: "en" as it comes, "de", "fr" or "nl". Any thread.
+void setNumberLanguage(const QString& code);
+/// A number written with a point, as the language has it: "2,5" in German.
+QString localNumber(QString number);
+QString localNumber(double value, char format, int digits);
+
 /// A number with a unit that keeps it short: 1.2e6 Pa becomes "1.2 MPa".
 QString formatQuantity(double value, Quantity quantity);
 
@@ -46,7 +52,7 @@ std::optional<double> parseQuantity(const QString& text, Quantity quantity, doub
 /// "-0.14 %"; no sign where rounding leaves nothing. @param share 0.01 is 1 %
 QString formatChange(double share);
 
-/// "12,345": whole numbers with separators.
+/// "12,345": whole numbers with separators, "12.345" in German.
 QString formatCount(std::size_t count);
 
 } // namespace knead

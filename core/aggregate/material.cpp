@@ -46,7 +46,7 @@ const std::vector<MaterialField>& materialFields()
         {"hardening_pa", "Hardening", "Pa", 0, 1e11, &Material::hardening},
         {"relaxation_time_s", "Relaxation time", "s", 0, 1000, &Material::relaxationTime, "flows at once"},
         {"tensile_strength_pa", "Tensile strength", "Pa", 0, 1e11, &Material::tensileStrength, "never breaks"},
-        {"elongation_at_break", "Elongation at break", "", 0, 100, &Material::elongationAtBreak, "flows without end"},
+        {"elongation_at_break", "Elongation at break", "", 0, 100, &Material::elongationAtBreak, "no limit"},
         {"toughness_j_m2", "Toughness", "J/m^2", 0, 1e6, &Material::toughness, "knives do not cut it"},
         {"adhesion_pa", "Adhesion", "Pa", 0, 1e9, &Material::adhesion, "does not stick"},
         {"healing_time_s", "Healing time", "s", 0, 1e4, &Material::healingTime, "does not heal"},

@@ -20,7 +20,7 @@ struct Material {
     double tensileStrength = 0;   ///< [Pa], 0 .. 1e11; 0: never breaks
     double yieldStress = 0;       ///< in uniaxial tension [Pa], 0 .. 1e11; 0: never yields
     double hardening = 0;         ///< rise of the yield stress per plastic strain [Pa], 0 .. 1e11
-    double elongationAtBreak = 0; ///< of a bar, by its length, when it breaks, 0 .. 100; 0: it flows without end
+    double elongationAtBreak = 0; ///< of a bar, by its length, when it breaks, 0 .. 100; 0: without limit
     double relaxationTime = 0;    ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
     double toughness = 0;         ///< work of a knife per area that it cuts [J/m^2], 0 .. 1e6; 0: knives do not cut it
     double healingTime = 0;       ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never

@@ -84,6 +84,12 @@ double PartExportReport::volumeError() const
     return skinVolume > 0 ? volume / skinVolume - 1 : 0;
 }
 
+double PartExportReport::volumeChange() const
+{
+    const double before = restVolumeOfMesh > 0 ? restVolumeOfMesh : restVolume;
+    return before > 0 ? volume / before - 1 : 0;
+}
+
 bool PartExportReport::isSound() const
 {
     return isFit() && !crossesItself && largestKink <= largestKinkOfSoundParts;

@@ -30,10 +30,11 @@ struct PartExportReport {
     int facesAfter = 0;
     int edgesBefore = 0;
     int edgesAfter = 0;
-    double restVolume = 0; ///< of the part as imported [m^3]
-    double skinVolume = 0; ///< of the deformed skin: what the file should hold [m^3]
-    double volume = 0;     ///< of what was read back [m^3]
-    double density = 0;    ///< of its material [kg/m^3]; 0: none
+    double restVolume = 0;       ///< of the part as imported [m^3]
+    double skinVolume = 0;       ///< of the deformed skin: what the file should hold [m^3]
+    double volume = 0;           ///< of what was read back [m^3]
+    double restVolumeOfMesh = 0; ///< of the triangles as imported, where triangles leave; 0: not known [m^3]
+    double density = 0;          ///< of its material [kg/m^3]; 0: none
 
     // Of the von Mises stress in the file, if it holds that.
     double largestStress = 0;    ///< [Pa]; 0: none
@@ -70,6 +71,10 @@ struct PartExportReport {
 
     /// Relative error of the volume; 0 for parts without one.
     double volumeError() const;
+
+    /// By how much the volume has changed since the part was imported, as a share of it; 0 for parts without one.
+    /// Triangles are compared with triangles: chords hold less than round faces do, before and after.
+    double volumeChange() const;
 };
 
 /// What came of an export.

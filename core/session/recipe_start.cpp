@@ -61,6 +61,7 @@ RecipeStart recipeStart(Recipe wanted, const RecipeFiles& files, TaskControl& co
                       .start = {.scene = scene.scene, .partOfBody = scene.partOfBody()},
                       .fixtures = faceFixtures(recipe, scene),
                       .script = {},
+                      .exports = recipe.exports,
                       .warnings = scene.warnings};
     if (recipe.analysis == Analysis::equilibrium)
         start.warnings.push_back(Message(

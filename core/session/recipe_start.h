@@ -20,7 +20,8 @@ struct RecipeStart {
     ProjectStart start;
     std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
     ScriptedEventsMaker script;
-    std::vector<Message> warnings; ///< sentences for the person
+    std::vector<RecipeExport> exports; ///< that "knead run" would write at the end
+    std::vector<Message> warnings;     ///< sentences for the person
 };
 
 /// Reads its parts and fills them. Its script comes to the same bits as runRecipe().

@@ -431,7 +431,7 @@ void SculptStroke::letGo(const Snapshot& now, bool hasAll, std::vector<Command>&
     }
 }
 
-std::vector<Command> SculptStroke::abandon(const Snapshot& now)
+std::vector<Command> SculptStroke::abandon(const Snapshot& now, std::vector<std::string>& unseen)
 {
     m_isReleased = true;
     std::vector<Command> commands;
@@ -439,6 +439,8 @@ std::vector<Command> SculptStroke::abandon(const Snapshot& now)
         for (const Touch& touch : m_touches)
             if (const ToolState* tool = toolOf(touch, now))
                 commands.emplace_back(RemoveManipulator{tool->id});
+            else
+                unseen.push_back(touch.name);
         m_touches.clear();
     }
     letGo(now, false, commands);

@@ -75,14 +75,15 @@ public:
     /// All fingers have gone.
     bool isOver() const { return m_isReleased && m_touches.empty() && !m_hold; }
     /// What is still there goes at once.
-    std::vector<Command> abandon(const Snapshot& now);
+    /// @param unseen gets the names of fingers that the simulation was told of and the snapshot does not have yet
+    std::vector<Command> abandon(const Snapshot& now, std::vector<std::string>& unseen);
 
     /// More force than suits the material. @return the commands for that
     std::vector<Command> strengthen(const Snapshot& now, double factor);
 
     double force(const Snapshot& now) const; ///< of the hand at the first place [N]
     bool isAtLimit(const Snapshot& now) const;
-    Vec3 placeNow(const Snapshot& now) const; ///< that was taken first [m]
+    Vec3 placeNow(const Snapshot& now) const;          ///< that was taken first [m]
     const SurfaceSpot& spot() const { return m_spot; } ///< under the hand, as it was when the stroke began
 
 private:

@@ -55,7 +55,7 @@ std::vector<RowValue> rowOf(std::int64_t id, const Part& part)
 }
 
 /// Where the rows of a table are counted.
-std::int64_t numberOf(const std::string& table)
+std::int64_t placeOfTable(const std::string& table)
 {
     const auto tables = projectTables();
     const auto found = std::find_if(tables.begin(), tables.end(), [&](const TableForm& t) { return t.name == table; });
@@ -230,7 +230,7 @@ void ProjectTables::finish()
     m_rows["entries"] = entries();
     for (const auto& [table, rows] : m_rows)
         if (table != "contents" && table != "blobs")
-            putRow(m_database, "contents", {knead::numberOf(table), table, rows});
+            putRow(m_database, "contents", {placeOfTable(table), table, rows});
 }
 
 } // namespace knead

@@ -482,6 +482,30 @@
         <source>Part</source>
         <translation>Teil</translation>
     </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>Neues Fens&amp;ter</translation>
+    </message>
+    <message>
+        <source>Begin something else; what is open here stays</source>
+        <translation>Etwas anderes beginnen; was hier offen ist, bleibt</translation>
+    </message>
+    <message>
+        <source>First pa&amp;ge</source>
+        <translation>Erste Se&amp;ite</translation>
+    </message>
+    <message>
+        <source>Examples and files of late; the part that is open stays, and Esc comes back</source>
+        <translation>Beispiele und letzte Dateien; das offene Teil bleibt, und Esc kehrt zurück</translation>
+    </message>
+    <message>
+        <source>Add &amp;part...</source>
+        <translation>Teil &amp;hinzufügen...</translation>
+    </message>
+    <message>
+        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
+        <translation>Weitere Teile zusammen mit den offenen als eine Baugruppe öffnen: Die Arbeit beginnt neu</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -1797,6 +1821,18 @@
         <source>smooth faces, %1 flat</source>
         <translation>glatte Flächen, %1 flach</translation>
     </message>
+    <message>
+        <source>The part is sound.</source>
+        <translation>Das Teil ist einwandfrei.</translation>
+    </message>
+    <message>
+        <source>The part is not sound.</source>
+        <translation>Das Teil ist nicht einwandfrei.</translation>
+    </message>
+    <message>
+        <source>One of %1 parts is not sound.</source>
+        <translation>Eines von %1 Teilen ist nicht einwandfrei.</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2208,6 +2244,38 @@
         <source>Pressing</source>
         <translation>Drücken</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation>Den Rest festhalten</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Of what a brush takes or presses; also with [ and ]</source>
+        <translation>Von dem, was ein Pinsel fasst oder drückt; auch mit [ und ]</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Of the force that suits the material; also with Shift and the mouse wheel</source>
+        <translation>Als Vielfaches der Kraft, die zum Material passt; auch mit Umschalt und Mausrad</translation>
+    </message>
+    <message>
+        <source>What is far from the brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Was fern vom Pinsel liegt, wird wie mit der anderen Hand gehalten, wo sonst nichts das Teil hält</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>nach dem Teil</translation>
+    </message>
 </context>
 <context>
     <name>HandbookWindow</name>
@@ -2283,10 +2351,6 @@
         <translation>Die Kräfte über der Zeit als CSV-Datei schreiben</translation>
     </message>
     <message>
-        <source>Press on the part and pull   Esc: done</source>
-        <translation>Auf das Teil drücken und ziehen   Esc: fertig</translation>
-    </message>
-    <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Tasten fahren Werkzeuge   Umschalt: langsamer   Esc: fertig</translation>
     </message>
@@ -2309,6 +2373,122 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Drücken und halten: Das Werkzeug dringt ein, bis seine Kraftgrenze es hält   Esc: fertig</translation>
+    </message>
+    <message>
+        <source>Thumb</source>
+        <translation>Daumen</translation>
+    </message>
+    <message>
+        <source>Press and hold: a ball goes in until its force limit holds it; draw it along for a groove</source>
+        <translation>Drücken und halten: Eine Kugel dringt ein, bis ihre Kraftgrenze sie hält; für eine Rille weiterziehen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Roll a large ball over the surface, which levels what stands out</source>
+        <translation>Eine große Kugel über die Oberfläche rollen, die einebnet, was vorsteht</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Abflachen</translation>
+    </message>
+    <message>
+        <source>Press a disc down to the plane that the surface has where you begin</source>
+        <translation>Eine Scheibe bis auf die Ebene drücken, in der die Oberfläche am Anfangspunkt liegt</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Zusammenkneifen</translation>
+    </message>
+    <message>
+        <source>Draw material together with four fingers, as for a ridge</source>
+        <translation>Material mit vier Fingern zusammenziehen, wie für einen Grat</translation>
+    </message>
+    <message>
+        <source>Smear</source>
+        <translation>Verschmieren</translation>
+    </message>
+    <message>
+        <source>Take the surface along with a ball that grips it</source>
+        <translation>Die Oberfläche mit einer Kugel mitnehmen, die an ihr haftet</translation>
+    </message>
+    <message>
+        <source>Bend here</source>
+        <translation>Hier biegen</translation>
+    </message>
+    <message>
+        <source>Tilt the material at the cursor towards where you draw</source>
+        <translation>Das Material am Mauszeiger dorthin neigen, wohin gezogen wird</translation>
+    </message>
+    <message>
+        <source>Twist here</source>
+        <translation>Hier verdrehen</translation>
+    </message>
+    <message>
+        <source>Turn the material at the cursor about its normal: draw to the right or left</source>
+        <translation>Das Material am Mauszeiger um seine Normale drehen: nach rechts oder links ziehen</translation>
+    </message>
+    <message>
+        <source>Symmetric in X</source>
+        <translation>Symmetrisch in X</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along X</source>
+        <translation>Pinsel tun dasselbe auf der anderen Seite der Mitte, entlang X</translation>
+    </message>
+    <message>
+        <source>Symmetric in Y</source>
+        <translation>Symmetrisch in Y</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Y</source>
+        <translation>Pinsel tun dasselbe auf der anderen Seite der Mitte, entlang Y</translation>
+    </message>
+    <message>
+        <source>Symmetric in Z</source>
+        <translation>Symmetrisch in Z</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Z</source>
+        <translation>Pinsel tun dasselbe auf der anderen Seite der Mitte, entlang Z</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Its radius stands at the cursor</source>
+        <translation>Sein Radius steht am Mauszeiger</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Weaker brush</source>
+        <translation>Schwächerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Also with Shift and the mouse wheel</source>
+        <translation>Auch mit Umschalt und Mausrad</translation>
+    </message>
+    <message>
+        <source>Stronger brush</source>
+        <translation>Stärkerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Modellieren</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Modellieren</translation>
+    </message>
+    <message>
+        <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
+        <translation>Auf das Teil drücken und ziehen   [ ]: Radius   Umschalt+Rad: Kraft   Esc: fertig</translation>
     </message>
 </context>
 <context>
@@ -3203,10 +3383,6 @@ Simuliert: %2, Schritt %3
         <translation>Ebene Öffnungen jeder Größe bekommen eine ebene Fläche; andere Flächen werden gefüllt, wo sie umschließen. Was zu weit offen ist, wird nur gezeigt.</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
         <source> min</source>
         <translation> min</translation>
     </message>
@@ -3221,10 +3397,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Reading is given up when it wants more memory; automatic: by the size of the file</source>
         <translation>Das Lesen wird aufgegeben, wenn es mehr Speicher will; automatisch: nach der Größe der Datei</translation>
-    </message>
-    <message>
-        <source>Give up after</source>
-        <translation>Aufgeben nach</translation>
     </message>
     <message>
         <source>For real time</source>
@@ -3257,6 +3429,18 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 of %2 parts</source>
         <translation>%1 von %2 Teilen</translation>
+    </message>
+    <message>
+        <source>Time: automatic</source>
+        <translation>Zeit: automatisch</translation>
+    </message>
+    <message>
+        <source>Memory: automatic</source>
+        <translation>Speicher: automatisch</translation>
+    </message>
+    <message>
+        <source>Reading may take</source>
+        <translation>Lesen darf brauchen</translation>
     </message>
 </context>
 <context>
@@ -3335,6 +3519,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Taking lengths in %1</source>
         <translation>Längen werden in %1 genommen</translation>
+    </message>
+    <message>
+        <source>Add parts</source>
+        <translation>Teile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
+        <translation>Woher diese Teile gelesen wurden, ist nicht bekannt, deshalb lässt sich nichts mit ihnen zusammen öffnen.</translation>
     </message>
 </context>
 <context>
@@ -3522,6 +3714,14 @@ Simuliert: %2, Schritt %3
         <source>Display</source>
         <translation>Darstellung</translation>
     </message>
+    <message>
+        <source>Click into the view: arrows then drive the tool   %1: orbit</source>
+        <translation>In die Ansicht klicken: dann fahren Pfeile das Werkzeug   %1: drehen</translation>
+    </message>
+    <message>
+        <source>Another window could not be opened.</source>
+        <translation>Ein weiteres Fenster ließ sich nicht öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -3569,10 +3769,6 @@ Simuliert: %2, Schritt %3
         <translation>Kennwert</translation>
     </message>
     <message>
-        <source>Right by left</source>
-        <translation>Rechts durch links</translation>
-    </message>
-    <message>
         <source>Shear modulus</source>
         <translation>Schubmodul</translation>
     </message>
@@ -3583,6 +3779,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>1/%1 of it</source>
         <translation>1/%1 davon</translation>
+    </message>
+    <message>
+        <source>Right / left</source>
+        <translation>Rechts / links</translation>
     </message>
 </context>
 <context>
@@ -3781,10 +3981,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Elongation at break</source>
         <translation>Bruchdehnung</translation>
-    </message>
-    <message>
-        <source>flows without end</source>
-        <translation>fließt ohne Ende</translation>
     </message>
     <message>
         <source>Adhesion</source>
@@ -4031,6 +4227,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 firmer</source>
         <translation>%1 fester</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>ohne Grenze</translation>
     </message>
 </context>
 <context>
@@ -5362,6 +5562,18 @@ Simuliert: %2, Schritt %3
         <source>What was done since it was saved is lost otherwise.</source>
         <translation>Was seit dem Speichern getan wurde, geht sonst verloren.</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>ProjectsFeature</name>
@@ -5389,31 +5601,16 @@ Simuliert: %2, Schritt %3
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>Beis&amp;piele</translation>
+    </message>
 </context>
 <context>
     <name>PropertyPages</name>
     <message>
         <source>Nothing selected.</source>
         <translation>Nichts ausgewählt.</translation>
-    </message>
-</context>
-<context>
-    <name>PullHand</name>
-    <message>
-        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
-        <translation>%1 verformt sich nicht: es in den Eigenschaften verformbar machen, oder es mit einem Werkzeug drücken.</translation>
-    </message>
-    <message>
-        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
-        <translation>%1 wird an dieser Stelle gehalten: sie mit „Flächen fixieren“ freigeben, oder an einer anderen ziehen.</translation>
-    </message>
-    <message>
-        <source>Pull %1</source>
-        <translation>An %1 ziehen</translation>
-    </message>
-    <message>
-        <source>%1 (limit)</source>
-        <translation>%1 (Grenze)</translation>
     </message>
 </context>
 <context>
@@ -6010,6 +6207,14 @@ Simuliert: %2, Schritt %3
         <source>Exporting %1</source>
         <translation>%1 wird exportiert</translation>
     </message>
+    <message>
+        <source>The recipe names files to export: %1.</source>
+        <translation>Das Rezept nennt Dateien zum Exportieren: %1.</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportieren...</translation>
+    </message>
 </context>
 <context>
     <name>RecordDialog</name>
@@ -6556,6 +6761,57 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
         <translation>Vorwärts-Euler ist ohne Dämpfung nicht stabil: den Dämpfungsgrad erhöhen oder semi-implizites Euler nehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>SculptHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 verformt sich nicht: es in den Eigenschaften verformbar machen, oder es mit einem Werkzeug drücken.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or take another place.</source>
+        <translation>%1 wird an dieser Stelle gehalten: mit „Flächen fixieren“ freigeben, oder eine andere Stelle nehmen.</translation>
+    </message>
+    <message>
+        <source>%1, force %2 %</source>
+        <translation>%1, Kraft %2 %</translation>
+    </message>
+    <message>
+        <source>%1 (limit; + for more)</source>
+        <translation>%1 (Grenze; + für mehr)</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>An %1 ziehen</translation>
+    </message>
+    <message>
+        <source>Thumb on %1</source>
+        <translation>Daumen auf %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 glätten</translation>
+    </message>
+    <message>
+        <source>Flatten %1</source>
+        <translation>%1 abflachen</translation>
+    </message>
+    <message>
+        <source>Pinch %1</source>
+        <translation>%1 zusammenkneifen</translation>
+    </message>
+    <message>
+        <source>Smear %1</source>
+        <translation>%1 verschmieren</translation>
+    </message>
+    <message>
+        <source>Bend %1</source>
+        <translation>%1 biegen</translation>
+    </message>
+    <message>
+        <source>Twist %1</source>
+        <translation>%1 verdrehen</translation>
     </message>
 </context>
 <context>
@@ -7569,6 +7825,14 @@ Simuliert: %2, Schritt %3
         <source>Filled anew</source>
         <translation>Neu gefüllt</translation>
     </message>
+    <message>
+        <source>no film kept</source>
+        <translation>kein Film aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Double-click: go there</source>
+        <translation>Doppelklick: dorthin gehen</translation>
+    </message>
 </context>
 <context>
     <name>TimelinePanel</name>
@@ -7631,6 +7895,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Speed of the film</source>
         <translation>Geschwindigkeit des Films</translation>
+    </message>
+    <message>
+        <source>Projects keep entries and no film: go to one with a double click, or simulate on.</source>
+        <translation>Projekte bewahren Einträge und keinen Film: Mit einem Doppelklick zu einem gehen oder weiter simulieren.</translation>
     </message>
 </context>
 <context>

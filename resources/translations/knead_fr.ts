@@ -482,6 +482,30 @@
         <source>Part</source>
         <translation>Pièce</translation>
     </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>Nouvelle &amp;fenêtre</translation>
+    </message>
+    <message>
+        <source>Begin something else; what is open here stays</source>
+        <translation>Commencer autre chose&#xa0;; ce qui est ouvert ici reste</translation>
+    </message>
+    <message>
+        <source>First pa&amp;ge</source>
+        <translation>Première pa&amp;ge</translation>
+    </message>
+    <message>
+        <source>Examples and files of late; the part that is open stays, and Esc comes back</source>
+        <translation>Exemples et fichiers récents&#xa0;; la pièce ouverte reste, et Échap y revient</translation>
+    </message>
+    <message>
+        <source>Add &amp;part...</source>
+        <translation>Ajouter une &amp;pièce...</translation>
+    </message>
+    <message>
+        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
+        <translation>Ouvrir d&apos;autres pièces avec celles qui sont ouvertes, en un assemblage&#xa0;: le travail recommence</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -1797,6 +1821,18 @@
         <source>smooth faces, %1 flat</source>
         <translation>faces lisses, dont %1 à facettes</translation>
     </message>
+    <message>
+        <source>The part is sound.</source>
+        <translation>La pièce est saine.</translation>
+    </message>
+    <message>
+        <source>The part is not sound.</source>
+        <translation>La pièce n&apos;est pas saine.</translation>
+    </message>
+    <message>
+        <source>One of %1 parts is not sound.</source>
+        <translation>Une pièce sur %1 n&apos;est pas saine.</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2208,6 +2244,38 @@
         <source>Pressing</source>
         <translation>Pression</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation>Tenir le reste</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinceaux</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Of what a brush takes or presses; also with [ and ]</source>
+        <translation>De ce qu&apos;un pinceau saisit ou presse&#xa0;; aussi avec [ et ]</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensité</translation>
+    </message>
+    <message>
+        <source>Of the force that suits the material; also with Shift and the mouse wheel</source>
+        <translation>Multiple de la force qui convient à la matière&#xa0;; aussi avec Maj et la molette</translation>
+    </message>
+    <message>
+        <source>What is far from the brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Ce qui est loin du pinceau est tenu comme par l&apos;autre main, là où rien d&apos;autre ne tient la pièce</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>selon la pièce</translation>
+    </message>
 </context>
 <context>
     <name>HandbookWindow</name>
@@ -2283,10 +2351,6 @@
         <translation>Écrire les forces au cours du temps dans un fichier CSV</translation>
     </message>
     <message>
-        <source>Press on the part and pull   Esc: done</source>
-        <translation>Appuyer sur la pièce et tirer   Échap&#xa0;: fini</translation>
-    </message>
-    <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Les touches conduisent les outils   Maj&#xa0;: plus lent   Échap&#xa0;: fini</translation>
     </message>
@@ -2309,6 +2373,122 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Appuyer et maintenir : l&apos;outil s&apos;enfonce jusqu&apos;à ce que sa limite de force le retienne   Échap : terminé</translation>
+    </message>
+    <message>
+        <source>Thumb</source>
+        <translation>Pouce</translation>
+    </message>
+    <message>
+        <source>Press and hold: a ball goes in until its force limit holds it; draw it along for a groove</source>
+        <translation>Appuyer et maintenir&#xa0;: une bille s&apos;enfonce jusqu&apos;à ce que sa limite de force la retienne&#xa0;; la tirer pour faire une rainure</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Roll a large ball over the surface, which levels what stands out</source>
+        <translation>Rouler une grande bille sur la surface, qui aplanit ce qui dépasse</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Aplatir</translation>
+    </message>
+    <message>
+        <source>Press a disc down to the plane that the surface has where you begin</source>
+        <translation>Presser un disque jusqu&apos;au plan de la surface au point de départ</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Pincer</translation>
+    </message>
+    <message>
+        <source>Draw material together with four fingers, as for a ridge</source>
+        <translation>Rassembler la matière avec quatre doigts, comme pour une arête</translation>
+    </message>
+    <message>
+        <source>Smear</source>
+        <translation>Étaler</translation>
+    </message>
+    <message>
+        <source>Take the surface along with a ball that grips it</source>
+        <translation>Entraîner la surface avec une bille qui y adhère</translation>
+    </message>
+    <message>
+        <source>Bend here</source>
+        <translation>Courber ici</translation>
+    </message>
+    <message>
+        <source>Tilt the material at the cursor towards where you draw</source>
+        <translation>Incliner la matière sous le curseur vers où l&apos;on tire</translation>
+    </message>
+    <message>
+        <source>Twist here</source>
+        <translation>Tordre ici</translation>
+    </message>
+    <message>
+        <source>Turn the material at the cursor about its normal: draw to the right or left</source>
+        <translation>Tourner la matière sous le curseur autour de sa normale&#xa0;: tirer à droite ou à gauche</translation>
+    </message>
+    <message>
+        <source>Symmetric in X</source>
+        <translation>Symétrique en X</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along X</source>
+        <translation>Les pinceaux font de même de l&apos;autre côté du milieu, selon X</translation>
+    </message>
+    <message>
+        <source>Symmetric in Y</source>
+        <translation>Symétrique en Y</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Y</source>
+        <translation>Les pinceaux font de même de l&apos;autre côté du milieu, selon Y</translation>
+    </message>
+    <message>
+        <source>Symmetric in Z</source>
+        <translation>Symétrique en Z</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Z</source>
+        <translation>Les pinceaux font de même de l&apos;autre côté du milieu, selon Z</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Pinceau plus petit</translation>
+    </message>
+    <message>
+        <source>Its radius stands at the cursor</source>
+        <translation>Son rayon est indiqué près du curseur</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Pinceau plus grand</translation>
+    </message>
+    <message>
+        <source>Weaker brush</source>
+        <translation>Pinceau plus faible</translation>
+    </message>
+    <message>
+        <source>Also with Shift and the mouse wheel</source>
+        <translation>Aussi avec Maj et la molette</translation>
+    </message>
+    <message>
+        <source>Stronger brush</source>
+        <translation>Pinceau plus fort</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Modelage</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Modeler</translation>
+    </message>
+    <message>
+        <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
+        <translation>Appuyer sur la pièce et tirer   [ ]&#xa0;: rayon   Maj+molette&#xa0;: force   Échap&#xa0;: terminé</translation>
     </message>
 </context>
 <context>
@@ -3203,10 +3383,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>Les ouvertures planes de toute taille reçoivent une face plane&#xa0;; les autres surfaces sont remplies là où elles entourent. Ce qui est trop ouvert est seulement montré.</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
-    </message>
-    <message>
         <source> min</source>
         <translation> min</translation>
     </message>
@@ -3221,10 +3397,6 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Reading is given up when it wants more memory; automatic: by the size of the file</source>
         <translation>La lecture est abandonnée si elle veut plus de mémoire&#xa0;; automatique&#xa0;: selon la taille du fichier</translation>
-    </message>
-    <message>
-        <source>Give up after</source>
-        <translation>Abandonner après</translation>
     </message>
     <message>
         <source>For real time</source>
@@ -3257,6 +3429,18 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1 of %2 parts</source>
         <translation>%1 pièces sur %2</translation>
+    </message>
+    <message>
+        <source>Time: automatic</source>
+        <translation>Temps&#xa0;: automatique</translation>
+    </message>
+    <message>
+        <source>Memory: automatic</source>
+        <translation>Mémoire&#xa0;: automatique</translation>
+    </message>
+    <message>
+        <source>Reading may take</source>
+        <translation>La lecture peut prendre</translation>
     </message>
 </context>
 <context>
@@ -3335,6 +3519,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Taking lengths in %1</source>
         <translation>Prise des longueurs en %1</translation>
+    </message>
+    <message>
+        <source>Add parts</source>
+        <translation>Ajouter des pièces</translation>
+    </message>
+    <message>
+        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
+        <translation>On ne sait pas d&apos;où ces pièces ont été lues&#xa0;; rien ne peut donc être ouvert avec elles.</translation>
     </message>
 </context>
 <context>
@@ -3522,6 +3714,14 @@ Simulé&#xa0;: %2, pas %3
         <source>Display</source>
         <translation>Affichage</translation>
     </message>
+    <message>
+        <source>Click into the view: arrows then drive the tool   %1: orbit</source>
+        <translation>Cliquer dans la vue&#xa0;: les flèches conduisent alors l&apos;outil   %1&#xa0;: tourner</translation>
+    </message>
+    <message>
+        <source>Another window could not be opened.</source>
+        <translation>Une autre fenêtre n&apos;a pas pu être ouverte.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -3569,10 +3769,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>Grandeur</translation>
     </message>
     <message>
-        <source>Right by left</source>
-        <translation>Droite / gauche</translation>
-    </message>
-    <message>
         <source>Shear modulus</source>
         <translation>Module de cisaillement</translation>
     </message>
@@ -3583,6 +3779,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>1/%1 of it</source>
         <translation>1/%1 de cela</translation>
+    </message>
+    <message>
+        <source>Right / left</source>
+        <translation>Droite / gauche</translation>
     </message>
 </context>
 <context>
@@ -3781,10 +3981,6 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Elongation at break</source>
         <translation>Allongement à la rupture</translation>
-    </message>
-    <message>
-        <source>flows without end</source>
-        <translation>s&apos;écoule sans fin</translation>
     </message>
     <message>
         <source>Adhesion</source>
@@ -4031,6 +4227,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1 firmer</source>
         <translation>%1 plus ferme</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sans limite</translation>
     </message>
 </context>
 <context>
@@ -5362,6 +5562,18 @@ Simulé&#xa0;: %2, pas %3
         <source>What was done since it was saved is lost otherwise.</source>
         <translation>Sinon, ce qui a été fait depuis l&apos;enregistrement est perdu.</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Ignorer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
 </context>
 <context>
     <name>ProjectsFeature</name>
@@ -5389,31 +5601,16 @@ Simulé&#xa0;: %2, pas %3
         <source>Open &amp;recent</source>
         <translation>Ouvrir &amp;récent</translation>
     </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>Exe&amp;mples</translation>
+    </message>
 </context>
 <context>
     <name>PropertyPages</name>
     <message>
         <source>Nothing selected.</source>
         <translation>Rien de choisi.</translation>
-    </message>
-</context>
-<context>
-    <name>PullHand</name>
-    <message>
-        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
-        <translation>%1 ne se déforme pas&#xa0;: rendez-le déformable dans les propriétés, ou poussez-le avec un outil.</translation>
-    </message>
-    <message>
-        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
-        <translation>%1 est tenu à cet endroit&#xa0;: libérez-le avec «&#xa0;Fixer des faces&#xa0;», ou tirez à un autre endroit.</translation>
-    </message>
-    <message>
-        <source>Pull %1</source>
-        <translation>Tirer %1</translation>
-    </message>
-    <message>
-        <source>%1 (limit)</source>
-        <translation>%1 (limite)</translation>
     </message>
 </context>
 <context>
@@ -6010,6 +6207,14 @@ Simulé&#xa0;: %2, pas %3
         <source>Exporting %1</source>
         <translation>Exportation de %1</translation>
     </message>
+    <message>
+        <source>The recipe names files to export: %1.</source>
+        <translation>La recette nomme des fichiers à exporter&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exporter...</translation>
+    </message>
 </context>
 <context>
     <name>RecordDialog</name>
@@ -6556,6 +6761,57 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
         <translation>Euler explicite n&apos;est pas stable sans amortissement : augmentez le taux d&apos;amortissement, ou prenez Euler semi-implicite.</translation>
+    </message>
+</context>
+<context>
+    <name>SculptHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 ne se déforme pas&#xa0;: rendez-le déformable dans les propriétés, ou poussez-le avec un outil.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or take another place.</source>
+        <translation>%1 est tenu à cet endroit&#xa0;: libérez-le avec «&#xa0;Fixer des faces&#xa0;», ou prenez un autre endroit.</translation>
+    </message>
+    <message>
+        <source>%1, force %2 %</source>
+        <translation>%1, force %2 %</translation>
+    </message>
+    <message>
+        <source>%1 (limit; + for more)</source>
+        <translation>%1 (limite&#xa0;; + pour plus)</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>Tirer %1</translation>
+    </message>
+    <message>
+        <source>Thumb on %1</source>
+        <translation>Pouce sur %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>Lisser %1</translation>
+    </message>
+    <message>
+        <source>Flatten %1</source>
+        <translation>Aplatir %1</translation>
+    </message>
+    <message>
+        <source>Pinch %1</source>
+        <translation>Pincer %1</translation>
+    </message>
+    <message>
+        <source>Smear %1</source>
+        <translation>Étaler %1</translation>
+    </message>
+    <message>
+        <source>Bend %1</source>
+        <translation>Courber %1</translation>
+    </message>
+    <message>
+        <source>Twist %1</source>
+        <translation>Tordre %1</translation>
     </message>
 </context>
 <context>
@@ -7569,6 +7825,14 @@ Simulé&#xa0;: %2, pas %3
         <source>Filled anew</source>
         <translation>Rempli à nouveau</translation>
     </message>
+    <message>
+        <source>no film kept</source>
+        <translation>aucun film conservé</translation>
+    </message>
+    <message>
+        <source>Double-click: go there</source>
+        <translation>Double-clic&#xa0;: y aller</translation>
+    </message>
 </context>
 <context>
     <name>TimelinePanel</name>
@@ -7631,6 +7895,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Speed of the film</source>
         <translation>Vitesse du film</translation>
+    </message>
+    <message>
+        <source>Projects keep entries and no film: go to one with a double click, or simulate on.</source>
+        <translation>Les projets gardent les entrées, pas le film&#xa0;: allez à l&apos;une d&apos;elles par un double-clic, ou continuez la simulation.</translation>
     </message>
 </context>
 <context>

@@ -482,6 +482,30 @@
         <source>Part</source>
         <translation>Onderdeel</translation>
     </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>Nieuw &amp;venster</translation>
+    </message>
+    <message>
+        <source>Begin something else; what is open here stays</source>
+        <translation>Iets anders beginnen; wat hier open is, blijft</translation>
+    </message>
+    <message>
+        <source>First pa&amp;ge</source>
+        <translation>Eerste pa&amp;gina</translation>
+    </message>
+    <message>
+        <source>Examples and files of late; the part that is open stays, and Esc comes back</source>
+        <translation>Voorbeelden en recente bestanden; het open onderdeel blijft, en Esc keert terug</translation>
+    </message>
+    <message>
+        <source>Add &amp;part...</source>
+        <translation>Onderdeel &amp;toevoegen...</translation>
+    </message>
+    <message>
+        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
+        <translation>Meer onderdelen samen met de geopende als één samenstelling openen: het werk begint opnieuw</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -1797,6 +1821,18 @@
         <source>smooth faces, %1 flat</source>
         <translation>gladde vlakken, %1 vlak</translation>
     </message>
+    <message>
+        <source>The part is sound.</source>
+        <translation>Het onderdeel is in orde.</translation>
+    </message>
+    <message>
+        <source>The part is not sound.</source>
+        <translation>Het onderdeel is niet in orde.</translation>
+    </message>
+    <message>
+        <source>One of %1 parts is not sound.</source>
+        <translation>Een van de %1 onderdelen is niet in orde.</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2208,6 +2244,38 @@
         <source>Pressing</source>
         <translation>Drukken</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation>De rest vasthouden</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Penselen</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Straal</translation>
+    </message>
+    <message>
+        <source>Of what a brush takes or presses; also with [ and ]</source>
+        <translation>Van wat een penseel pakt of indrukt; ook met [ en ]</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Sterkte</translation>
+    </message>
+    <message>
+        <source>Of the force that suits the material; also with Shift and the mouse wheel</source>
+        <translation>Factor op de kracht die bij het materiaal past; ook met Shift en het muiswiel</translation>
+    </message>
+    <message>
+        <source>What is far from the brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Wat ver van het penseel ligt, wordt als met de andere hand vastgehouden, waar niets anders het onderdeel vasthoudt</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>naar het onderdeel</translation>
+    </message>
 </context>
 <context>
     <name>HandbookWindow</name>
@@ -2283,10 +2351,6 @@
         <translation>De krachten over de tijd als CSV-bestand schrijven</translation>
     </message>
     <message>
-        <source>Press on the part and pull   Esc: done</source>
-        <translation>Op het onderdeel drukken en trekken   Esc: klaar</translation>
-    </message>
-    <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Toetsen besturen gereedschap   Shift: langzamer   Esc: klaar</translation>
     </message>
@@ -2309,6 +2373,122 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Drukken en vasthouden: het gereedschap gaat erin tot zijn krachtgrens het tegenhoudt   Esc: klaar</translation>
+    </message>
+    <message>
+        <source>Thumb</source>
+        <translation>Duim</translation>
+    </message>
+    <message>
+        <source>Press and hold: a ball goes in until its force limit holds it; draw it along for a groove</source>
+        <translation>Drukken en vasthouden: een kogel gaat erin tot zijn krachtgrens hem tegenhoudt; trek hem verder voor een groef</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Gladmaken</translation>
+    </message>
+    <message>
+        <source>Roll a large ball over the surface, which levels what stands out</source>
+        <translation>Een grote kogel over het oppervlak rollen, die wat uitsteekt vlak maakt</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Afvlakken</translation>
+    </message>
+    <message>
+        <source>Press a disc down to the plane that the surface has where you begin</source>
+        <translation>Een schijf aandrukken tot op het vlak dat het oppervlak bij het beginpunt heeft</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Samenknijpen</translation>
+    </message>
+    <message>
+        <source>Draw material together with four fingers, as for a ridge</source>
+        <translation>Materiaal met vier vingers bijeentrekken, als voor een ribbel</translation>
+    </message>
+    <message>
+        <source>Smear</source>
+        <translation>Uitsmeren</translation>
+    </message>
+    <message>
+        <source>Take the surface along with a ball that grips it</source>
+        <translation>Het oppervlak meenemen met een kogel die erop grip heeft</translation>
+    </message>
+    <message>
+        <source>Bend here</source>
+        <translation>Hier buigen</translation>
+    </message>
+    <message>
+        <source>Tilt the material at the cursor towards where you draw</source>
+        <translation>Het materiaal bij de muisaanwijzer kantelen naar waar getrokken wordt</translation>
+    </message>
+    <message>
+        <source>Twist here</source>
+        <translation>Hier verdraaien</translation>
+    </message>
+    <message>
+        <source>Turn the material at the cursor about its normal: draw to the right or left</source>
+        <translation>Het materiaal bij de muisaanwijzer om zijn normaal draaien: naar rechts of links trekken</translation>
+    </message>
+    <message>
+        <source>Symmetric in X</source>
+        <translation>Symmetrisch in X</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along X</source>
+        <translation>Penselen doen hetzelfde aan de andere kant van het midden, langs X</translation>
+    </message>
+    <message>
+        <source>Symmetric in Y</source>
+        <translation>Symmetrisch in Y</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Y</source>
+        <translation>Penselen doen hetzelfde aan de andere kant van het midden, langs Y</translation>
+    </message>
+    <message>
+        <source>Symmetric in Z</source>
+        <translation>Symmetrisch in Z</translation>
+    </message>
+    <message>
+        <source>Brushes do the same on the other side of the middle, along Z</source>
+        <translation>Penselen doen hetzelfde aan de andere kant van het midden, langs Z</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleiner penseel</translation>
+    </message>
+    <message>
+        <source>Its radius stands at the cursor</source>
+        <translation>De straal staat bij de muisaanwijzer</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Groter penseel</translation>
+    </message>
+    <message>
+        <source>Weaker brush</source>
+        <translation>Zwakker penseel</translation>
+    </message>
+    <message>
+        <source>Also with Shift and the mouse wheel</source>
+        <translation>Ook met Shift en het muiswiel</translation>
+    </message>
+    <message>
+        <source>Stronger brush</source>
+        <translation>Sterker penseel</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Boetseren</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Boetseren</translation>
+    </message>
+    <message>
+        <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
+        <translation>Op het onderdeel drukken en trekken   [ ]: straal   Shift+wiel: kracht   Esc: klaar</translation>
     </message>
 </context>
 <context>
@@ -3203,10 +3383,6 @@ Gesimuleerd: %2, stap %3
         <translation>Vlakke openingen van elke grootte krijgen een plat vlak; andere oppervlakken worden gevuld waar ze omsluiten. Wat te ver open is, wordt alleen getoond.</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
         <source> min</source>
         <translation> min</translation>
     </message>
@@ -3221,10 +3397,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Reading is given up when it wants more memory; automatic: by the size of the file</source>
         <translation>Het lezen wordt opgegeven als het meer geheugen wil; automatisch: naar de grootte van het bestand</translation>
-    </message>
-    <message>
-        <source>Give up after</source>
-        <translation>Opgeven na</translation>
     </message>
     <message>
         <source>For real time</source>
@@ -3257,6 +3429,18 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 of %2 parts</source>
         <translation>%1 van %2 onderdelen</translation>
+    </message>
+    <message>
+        <source>Time: automatic</source>
+        <translation>Tijd: automatisch</translation>
+    </message>
+    <message>
+        <source>Memory: automatic</source>
+        <translation>Geheugen: automatisch</translation>
+    </message>
+    <message>
+        <source>Reading may take</source>
+        <translation>Lezen mag kosten</translation>
     </message>
 </context>
 <context>
@@ -3335,6 +3519,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Taking lengths in %1</source>
         <translation>Lengtes worden in %1 genomen</translation>
+    </message>
+    <message>
+        <source>Add parts</source>
+        <translation>Onderdelen toevoegen</translation>
+    </message>
+    <message>
+        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
+        <translation>Waar deze onderdelen vandaan komen is niet bekend, dus er kan niets samen mee worden geopend.</translation>
     </message>
 </context>
 <context>
@@ -3522,6 +3714,14 @@ Gesimuleerd: %2, stap %3
         <source>Display</source>
         <translation>Weergave</translation>
     </message>
+    <message>
+        <source>Click into the view: arrows then drive the tool   %1: orbit</source>
+        <translation>Klik in de weergave: dan rijden pijlen het gereedschap   %1: draaien</translation>
+    </message>
+    <message>
+        <source>Another window could not be opened.</source>
+        <translation>Er kon geen ander venster worden geopend.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -3569,10 +3769,6 @@ Gesimuleerd: %2, stap %3
         <translation>Kengetal</translation>
     </message>
     <message>
-        <source>Right by left</source>
-        <translation>Rechts / links</translation>
-    </message>
-    <message>
         <source>Shear modulus</source>
         <translation>Glijdingsmodulus</translation>
     </message>
@@ -3583,6 +3779,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>1/%1 of it</source>
         <translation>1/%1 daarvan</translation>
+    </message>
+    <message>
+        <source>Right / left</source>
+        <translation>Rechts / links</translation>
     </message>
 </context>
 <context>
@@ -3781,10 +3981,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Elongation at break</source>
         <translation>Breukrek</translation>
-    </message>
-    <message>
-        <source>flows without end</source>
-        <translation>vloeit zonder einde</translation>
     </message>
     <message>
         <source>Adhesion</source>
@@ -4031,6 +4227,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 firmer</source>
         <translation>%1 steviger</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>geen grens</translation>
     </message>
 </context>
 <context>
@@ -5362,6 +5562,18 @@ Gesimuleerd: %2, stap %3
         <source>What was done since it was saved is lost otherwise.</source>
         <translation>Wat sinds het opslaan gedaan is, gaat anders verloren.</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Opslaan</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerpen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuleren</translation>
+    </message>
 </context>
 <context>
     <name>ProjectsFeature</name>
@@ -5389,31 +5601,16 @@ Gesimuleerd: %2, stap %3
         <source>Open &amp;recent</source>
         <translation>&amp;Recent geopend</translation>
     </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>Voor&amp;beelden</translation>
+    </message>
 </context>
 <context>
     <name>PropertyPages</name>
     <message>
         <source>Nothing selected.</source>
         <translation>Niets gekozen.</translation>
-    </message>
-</context>
-<context>
-    <name>PullHand</name>
-    <message>
-        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
-        <translation>%1 vervormt niet: maak het vervormbaar in de eigenschappen, of duw ertegen met gereedschap.</translation>
-    </message>
-    <message>
-        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
-        <translation>%1 is op deze plaats vastgezet: geef het vrij met „Vlakken vastzetten”, of trek op een andere plaats.</translation>
-    </message>
-    <message>
-        <source>Pull %1</source>
-        <translation>Trekken aan %1</translation>
-    </message>
-    <message>
-        <source>%1 (limit)</source>
-        <translation>%1 (grens)</translation>
     </message>
 </context>
 <context>
@@ -6010,6 +6207,14 @@ Gesimuleerd: %2, stap %3
         <source>Exporting %1</source>
         <translation>%1 wordt geëxporteerd</translation>
     </message>
+    <message>
+        <source>The recipe names files to export: %1.</source>
+        <translation>Het recept noemt bestanden om te exporteren: %1.</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exporteren...</translation>
+    </message>
 </context>
 <context>
     <name>RecordDialog</name>
@@ -6556,6 +6761,57 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.</source>
         <translation>Voorwaartse Euler is zonder demping niet stabiel: verhoog de dempingsgraad, of neem semi-impliciete Euler.</translation>
+    </message>
+</context>
+<context>
+    <name>SculptHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 vervormt niet: maak het vervormbaar in de eigenschappen, of duw ertegen met gereedschap.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or take another place.</source>
+        <translation>%1 wordt op deze plaats vastgehouden: maak het vrij met &quot;Vlakken vastzetten&quot;, of neem een andere plaats.</translation>
+    </message>
+    <message>
+        <source>%1, force %2 %</source>
+        <translation>%1, kracht %2 %</translation>
+    </message>
+    <message>
+        <source>%1 (limit; + for more)</source>
+        <translation>%1 (grens; + voor meer)</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>Trekken aan %1</translation>
+    </message>
+    <message>
+        <source>Thumb on %1</source>
+        <translation>Duim op %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 gladmaken</translation>
+    </message>
+    <message>
+        <source>Flatten %1</source>
+        <translation>%1 afvlakken</translation>
+    </message>
+    <message>
+        <source>Pinch %1</source>
+        <translation>%1 samenknijpen</translation>
+    </message>
+    <message>
+        <source>Smear %1</source>
+        <translation>%1 uitsmeren</translation>
+    </message>
+    <message>
+        <source>Bend %1</source>
+        <translation>%1 buigen</translation>
+    </message>
+    <message>
+        <source>Twist %1</source>
+        <translation>%1 verdraaien</translation>
     </message>
 </context>
 <context>
@@ -7569,6 +7825,14 @@ Gesimuleerd: %2, stap %3
         <source>Filled anew</source>
         <translation>Opnieuw gevuld</translation>
     </message>
+    <message>
+        <source>no film kept</source>
+        <translation>geen film bewaard</translation>
+    </message>
+    <message>
+        <source>Double-click: go there</source>
+        <translation>Dubbelklik: daarheen gaan</translation>
+    </message>
 </context>
 <context>
     <name>TimelinePanel</name>
@@ -7631,6 +7895,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Speed of the film</source>
         <translation>Snelheid van de film</translation>
+    </message>
+    <message>
+        <source>Projects keep entries and no film: go to one with a double click, or simulate on.</source>
+        <translation>Projecten bewaren stappen en geen film: ga er met een dubbelklik naartoe, of simuleer verder.</translation>
     </message>
 </context>
 <context>

@@ -10,9 +10,12 @@
 #include "ui/viewport/scene_style.h"
 #include "ui/viewport/side_view.h"
 
+#include <QComboBox>
 #include <QHeaderView>
+#include <QLabel>
 #include <QSettings>
 #include <QTextLayout>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -67,6 +70,26 @@ private slots:
             if (width == 940)
                 keep(panel.grab().toImage(), "export-report");
         }
+    }
+
+    /// What is only expected is no reason to worry.
+    void theFirstExampleOpensWithoutWarnings()
+    {
+        openExample("bar.step", 160); // more than machines keep up with
+        document().select({Selection::Kind::Body, 0});
+        auto* ratio = find<QLabel>("expectedRatio");
+        QTRY_VERIFY(ratio->isVisible() && !ratio->text().isEmpty());
+        QCOMPARE(ratio->property("role").toString(), QString());
+    }
+
+    void oneOrManyPartsAreSaidRight()
+    {
+        const auto said = [](std::size_t parts, std::size_t sound) { return ExportPanel::verdict(sound, parts); };
+        QCOMPARE(said(1, 1), QString("The part is sound."));
+        QCOMPARE(said(1, 0), QString("The part is not sound."));
+        QCOMPARE(said(3, 3), QString("All parts are sound."));
+        QCOMPARE(said(3, 2), QString("One of 3 parts is not sound."));
+        QCOMPARE(said(3, 1), QString("2 of 3 parts are not sound."));
     }
 
     void theExportDialogIsAsHighAsItsWords()
@@ -167,6 +190,24 @@ private slots:
             keep(view().grabFramebuffer(), theme == Theme::Light ? "selected-part-light" : "selected-part-dark");
             QVERIFY2(marked() > before + 200, "a blue part has yellow edges");
         }
+    }
+
+    void theOnlyPartStandsOutWhenSelected()
+    {
+        openExample("bar.step", 10);
+        const auto picture = [&] {
+            QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
+            QTest::qWait(150);
+            return view().grabFramebuffer();
+        };
+        document().select({Selection::Kind::Body, 0});
+        const QImage selected = picture();
+        document().select({});
+        const QImage plain = picture();
+        const SceneStyle style = lightScene();
+        const int usual = countOf(selected, style.selectedEdge) - countOf(plain, style.selectedEdge);
+        const int other = countOf(selected, style.selectedOther) - countOf(plain, style.selectedOther);
+        QVERIFY(std::max(usual, other) > 200);
     }
 
     /// Of what it marks, the line around it, and not only its fill.

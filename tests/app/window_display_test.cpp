@@ -95,6 +95,36 @@ private slots:
         QVERIFY(isLike(plain));
     }
 
+    /// Or one would not see whether a click fixed it.
+    void aFaceThatWasJustFixedIsNotCoveredByTheHighlight()
+    {
+        openExample("bar.step");
+        action("fixFaces")->setChecked(true);
+        const QPoint place = view()
+                                 .widgetPosition(document().content().box.center() +
+                                                 Vec3(0, 0, document().content().box.sizes().z() / 2))
+                                 ->toPoint();
+        const QPoint away(5, view().height() / 2);
+        QTest::mouseMove(&view(), away);
+        const QColor plain = shot().pixelColor(place);
+        QTest::mouseMove(&view(), place);
+        const QColor under = shot().pixelColor(place);
+        QVERIFY(under != plain); // what a click would fix
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+        QTRY_COMPARE(document().fixtures().list().size(), std::size_t{1});
+        const QColor fixed = shot().pixelColor(place);
+        QVERIFY(fixed != under && fixed != plain);
+        QTest::mouseMove(&view(), place + QPoint(2, 0)); // still the same face
+        QCOMPARE(shot().pixelColor(place), fixed);
+        QTest::mouseMove(&view(), away);
+        QCOMPARE(shot().pixelColor(place), fixed);
+        QTest::mouseMove(&view(), place);
+        QVERIFY(shot().pixelColor(place) != fixed);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+        QTRY_VERIFY(document().fixtures().list().empty());
+        QCOMPARE(shot().pixelColor(place), plain);
+    }
+
     void aTypedRangeStaysAndHasUnits()
     {
         stretchBar();
@@ -211,6 +241,29 @@ private slots:
         openExample("bar.step");
         QVERIFY(view().options().original && view().options().connections && !view().options().grid);
         QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
+    }
+
+    /// How the last part was turned and colored says nothing of it.
+    void anotherPartIsSeenFromTheFrontAndAsItsMaterialLooks()
+    {
+        openExample("bar.step");
+        const Camera first = view().camera();
+        choose("colorQuantity", "Strain");
+        QTRY_VERIFY(view().scale());
+        view().setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_7); // from above
+        rest();
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) > 0.1);
+        m_window->features().imports->refill(document().size() / 20); // the same part
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        rest();
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) > 0.1);
+        QVERIFY(view().options().colors.quantity == SurfaceQuantity::strain);
+        openExample("plate.step");
+        QVERIFY(std::abs(view().camera().pitch - first.pitch) < 1e-9);
+        QVERIFY(std::abs(view().camera().yaw - first.yaw) < 1e-9);
+        QVERIFY(!view().options().colors.quantity);
+        QVERIFY(action("colorParts")->isChecked());
     }
 
     void theOriginalIsSeenAroundWhatBecameOfIt()

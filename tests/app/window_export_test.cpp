@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include <cmath>
@@ -54,6 +55,22 @@ private slots:
             if (ending == "step")
                 QCOMPARE(read.parts.front().name, model.parts[i].name);
         }
+    }
+
+    /// As the comparison has it: that chords hold less than round faces is no change.
+    void trianglesOfAPartAtRestHaveItsVolume()
+    {
+        openExample("bracket.step", 10);
+        const QTemporaryDir folder;
+        write(folder.filePath("out.stl"), {});
+        const auto* rows = find<QTreeWidget>("exportedParts");
+        int parts = 0;
+        for (int i = 0; i < rows->topLevelItemCount(); ++i)
+            if (const QString volume = rows->topLevelItem(i)->text(6); !volume.isEmpty()) {
+                QVERIFY2(volume.endsWith("(0 %)"), qPrintable(rows->topLevelItem(i)->text(0) + ": " + volume));
+                ++parts;
+            }
+        QCOMPARE(parts, 2);
     }
 
     /// Two bars opened together: their files have numbers.

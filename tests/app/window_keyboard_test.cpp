@@ -8,7 +8,14 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
 
 using namespace knead;
 
@@ -66,6 +73,62 @@ private slots:
         QTest::keyClick(kind, Qt::Key_G);
         QTRY_VERIFY(action("gravity")->isChecked());
         QCOMPARE(kind->currentText(), QString("Deformable"));
+    }
+
+    /// One after the other, as Tab goes; each stop is to be seen.
+    void tabLeadsToTheToolBarAndNowhereThatShowsNothing()
+    {
+        openExample("bar.step", 10);
+        m_window->viewport().setFocus();
+        QSet<const QWidget*> stops;
+        for (int i = 0; i < 400; ++i) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            const QWidget* stop = QApplication::focusWidget();
+            QVERIFY(stop != nullptr);
+            QVERIFY2(stop->metaObject()->className() != QByteArray("QScrollArea"), qPrintable(stop->objectName()));
+            if (stops.contains(stop))
+                break;
+            stops << stop;
+        }
+        auto* bar = find<QToolBar>("toolBar");
+        for (QAction* of : {action("gravity"), action("play")})
+            QVERIFY2(stops.contains(bar->widgetForAction(of)), qPrintable(of->objectName()));
+        QWidget* gravity = bar->widgetForAction(action("gravity"));
+        gravity->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(gravity, Qt::Key_Return);
+        QTRY_VERIFY(action("gravity")->isChecked() && !snapshot().gravity.isZero());
+        QVERIFY(gravity->hasFocus());
+        QTest::keyClick(gravity, Qt::Key_Space); // the simulation's, as everywhere
+        QTRY_VERIFY(snapshot().playing);
+        QTest::keyClick(gravity, Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+    }
+
+    void whereTheKeyboardIsIsSeen()
+    {
+        QWidget page;
+        auto* column = new QVBoxLayout(&page);
+        auto* first = new QPushButton("First", &page);
+        const std::vector<QWidget*> widgets = {new QPushButton("Button", &page), new QToolButton(&page),
+                                               new QTreeWidget(&page),           new QListWidget(&page),
+                                               new QPlainTextEdit(&page),        new QLineEdit(&page)};
+        column->addWidget(first);
+        for (QWidget* widget : widgets) {
+            widget->setFocusPolicy(Qt::StrongFocus);
+            column->addWidget(widget);
+        }
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page, patience));
+        page.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&page, patience));
+        for (QWidget* widget : widgets) {
+            first->setFocus(Qt::TabFocusReason);
+            QTest::qWait(50);
+            const QImage without = widget->grab().toImage();
+            widget->setFocus(Qt::TabFocusReason);
+            QTest::qWait(50);
+            QVERIFY2(widget->grab().toImage() != without, widget->metaObject()->className());
+        }
     }
 
     void noListInThePanelsLetsALetterThrough()

@@ -64,6 +64,114 @@ private slots:
         picture("tools");
     }
 
+    /// Or what the mouse works on would go away under it.
+    void aMessageLeavesTheViewWhereItIs()
+    {
+        openExample("bar.step");
+        m_window->banner().hide();
+        QTest::qWait(100);
+        auto& view = m_window->viewport();
+        const QPoint middle = view.rect().center();
+        const QPoint before = view.mapTo(m_window.get(), QPoint(0, 0));
+        const QSize size = view.size();
+        QTest::mousePress(&view, Qt::MiddleButton, {}, middle);
+        m_window->banner().show("Something happened that takes a longer sentence, and the view stays where it is.",
+                                "Do it");
+        QTest::qWait(100); // panels are laid out later
+        QCOMPARE(view.mapTo(m_window.get(), QPoint(0, 0)), before);
+        QCOMPARE(view.size(), size);
+        QTest::mouseRelease(&view, Qt::MiddleButton, {}, middle);
+        const QWidget& banner = m_window->banner();
+        const QRect place(banner.mapTo(m_window.get(), QPoint(0, 0)), banner.size());
+        QVERIFY(QRect(before, size).contains(place));
+        for (const char* name : {"bannerText", "bannerRemedy", "bannerClose"}) {
+            const auto* part = banner.findChild<QWidget*>(name);
+            QVERIFY2(banner.rect().contains(part->geometry()), name);
+            QCOMPARE(m_window->childAt(part->mapTo(m_window.get(), part->rect().center())), part);
+        }
+        m_window->resize(m_window->width() - 60, m_window->height());
+        QTRY_VERIFY(view.width() < size.width());
+        const int left = view.mapTo(m_window.get(), QPoint(0, 0)).x();
+        QTRY_VERIFY(banner.mapTo(m_window.get(), QPoint(0, 0)).x() + banner.width() <= left + view.width());
+        QTest::mouseClick(banner.findChild<QWidget*>("bannerClose"), Qt::LeftButton);
+        QVERIFY(!banner.isVisible());
+    }
+
+    /// Typed numbers and clicks beside the part do not take the tool out of the hand.
+    void theViewHasTheKeysAfterTyping()
+    {
+        openExample("bar.step");
+        action("addBlock")->trigger();
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        auto& view = m_window->viewport();
+        auto* hint = find<QLabel>("navigationHint");
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Escape}) {
+            auto* field = find<QuantityField>("toolSpeed");
+            field->setFocus();
+            QVERIFY(field->hasFocus());
+            QVERIFY2(hint->text().contains("Click into the view"), qPrintable(hint->text()));
+            field->selectAll();
+            QTest::keyClicks(field, "30 mm/s");
+            QTest::keyClick(field, end);
+            QVERIFY(view.hasFocus());
+            QVERIFY2(hint->text().startsWith("Arrows"), qPrintable(hint->text()));
+        }
+        auto* field = find<QuantityField>("toolSpeed");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "fast");
+        QTest::keyClick(field, Qt::Key_Return); // there is something to mend
+        QVERIFY(field->hasProblem() && field->hasFocus());
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(view.hasFocus());
+
+        QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(30, view.height() - 30));
+        QTest::qWait(50);
+        QCOMPARE(document().selection().kind, Selection::Kind::Tool);
+        const double before = snapshot().tools[0].pose.position.x();
+        QTest::keyPress(&view, Qt::Key_Right);
+        QTRY_VERIFY(snapshot().tools[0].pose.position.x() != before);
+        QTest::keyRelease(&view, Qt::Key_Right);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape); // this gives it up
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::None);
+    }
+
+    void newToolsHaveNumbersThatAPersonWouldType()
+    {
+        const auto significant = [](const QString& shown) {
+            QString number = shown.section(' ', 0, 0).remove('-');
+            if (number.contains('e'))
+                return 99;
+            const bool isWhole = !number.contains('.');
+            number.remove('.');
+            while (number.startsWith('0'))
+                number.remove(0, 1);
+            while (isWhole && number.endsWith('0'))
+                number.chop(1);
+            return static_cast<int>(number.size());
+        };
+        for (const char* part : {"bracket.step", "handle.step"}) {
+            openExample(part);
+            std::size_t count = snapshot().tools.size();
+            for (const char* name : {"addBlock", "addPlate", "addKnife", "addRoller"}) {
+                action(name)->trigger();
+                ++count;
+                QTRY_COMPARE(snapshot().tools.size(), count);
+                QTRY_COMPARE(document().selection().id, snapshot().tools.back().id);
+                for (const char* field : {"toolSizeX", "toolSizeY", "toolSizeZ", "toolSpeed", "toolForceLimit"})
+                    QVERIFY2(significant(find<QuantityField>(field)->text()) <= 2,
+                             qPrintable(field + (": " + find<QuantityField>(field)->text())));
+                for (const char* field : {"toolPositionX", "toolPositionY", "toolPositionZ"})
+                    QVERIFY2(significant(find<QuantityField>(field)->text()) <= 4,
+                             qPrintable(field + (": " + find<QuantityField>(field)->text())));
+            }
+        }
+        const ToolState tool = snapshot().tools.back();
+        document().post(PlaceManipulator{tool.id, {Vec3(7.5535e-9, 0.01, 0.1), tool.pose.rotation}});
+        QTRY_COMPARE(find<QuantityField>("toolPositionY")->text(), QString("10 mm"));
+        QCOMPARE(find<QuantityField>("toolPositionX")->text(), QString("0 mm"));
+    }
+
     void aToolTakesAnotherForm()
     {
         openExample("bar.step");

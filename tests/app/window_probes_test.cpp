@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -118,6 +119,19 @@ private slots:
         QVERIFY2(std::abs(now.stress / pulledStress(now.strain) - 1) < 0.02,
                  qPrintable(QString::number(now.stress / pulledStress(now.strain))));
         picture("probe-stress");
+    }
+
+    void theTableHasStrainAndStressWhateverIsPlotted()
+    {
+        hang();
+        place(Vec3(0.03, 0.01, 0.02));
+        QCOMPARE(find<QComboBox>("probeQuantity")->currentIndex(), static_cast<int>(ProbeQuantity::displacement));
+        runTo(0.25);
+        QTRY_COMPARE(newest(0).time, snapshot().time);
+        QTRY_VERIFY(std::isfinite(newest(0).strain) && std::isfinite(newest(0).stress));
+        const auto* table = find<QTreeWidget>("probes");
+        for (const int column : {1, 2, 3})
+            QTRY_VERIFY(table->topLevelItem(0)->text(column).contains(QRegularExpression("[1-9]")));
     }
 
     /// Of what was simulated while nobody asked for it.

@@ -2,6 +2,7 @@
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
 #include "support/projects_on_test.h"
+#include "ui/panels/timeline_axis.h"
 #include "ui/project/thumbnails.h"
 #include "ui/run_window.h"
 
@@ -132,6 +133,8 @@ private slots:
 
         m_window->close();
         QTRY_VERIFY(find<QMessageBox>("saveQuestion") != nullptr);
+        for (const auto button : {QMessageBox::Save, QMessageBox::Discard, QMessageBox::Cancel})
+            QVERIFY(!QKeySequence::mnemonic(find<QMessageBox>("saveQuestion")->button(button)->text()).isEmpty());
         drawn();
         picture("save question");
         answer("saveQuestion", QMessageBox::Cancel);
@@ -188,6 +191,26 @@ private slots:
         QCOMPARE(hash(), saved);
         QCOMPARE(projects().path(), file("a.knead"));
         QVERIFY(!m_window->isWindowModified());
+    }
+
+    /// Nobody shall look for what was never kept.
+    void anOpenedProjectSaysThatItHasNoFilm()
+    {
+        openExample("bar.step", 10);
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        QVERIFY(!axis->lacksFilm());
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        waitForGesture();
+        QTRY_VERIFY(axis->timeline().end > 0.05 && !axis->lacksFilm());
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        openProject(file("a.knead"));
+        axis = find<TimelineAxis>("timelineAxis");
+        QTRY_VERIFY(axis->timeline().end > 0.05);
+        QVERIFY(axis->lacksFilm());
+        QTRY_VERIFY(action("filmPlay")->property("whyDisabled").toString().contains("no film"));
     }
 
     void savingWhileTimeRunsGoesOn()

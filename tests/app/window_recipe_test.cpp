@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace knead;
@@ -217,6 +218,25 @@ private slots:
         key(Qt::Key_Space);
         waitForEnd();
         QCOMPARE(presentHash(), hash);
+    }
+
+    /// It writes nothing of its own accord, but does not forget them without a word.
+    void filesThatARecipeNamesAreOfferedAtItsEnd()
+    {
+        json wanted = workshop::busyRecipe(example("bar.step").toStdString());
+        wanted["exports"] = json::array({{{"file", "bent.step"}}, {{"file", "bent.png"}}});
+        open(m_shop.write(wanted, "exporting.recipe.json"));
+        QCOMPARE(m_window->features().recipes->namedExports(), (QStringList{"bent.step", "bent.png"}));
+        QVERIFY(!m_window->banner().sentence().contains("bent.step"));
+        key(Qt::Key_Space);
+        waitForEnd();
+        QTRY_VERIFY2(m_window->banner().sentence().contains("bent.step, bent.png"),
+                     qPrintable(m_window->banner().sentence()));
+        QTest::mouseClick(find<QToolButton>("bannerRemedy"), Qt::LeftButton);
+        QTRY_VERIFY(find<QDialog>("exportDialog") != nullptr);
+        find<QDialog>("exportDialog")->reject();
+        open(m_recipe);
+        QVERIFY(m_window->features().recipes->namedExports().isEmpty());
     }
 
     void recipesAreDroppedOnTheWindow()

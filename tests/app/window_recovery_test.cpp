@@ -3,6 +3,7 @@
 #include "io/project/recovery.h"
 #include "support/full_disk.h"
 #include "support/projects_on_test.h"
+#include "ui/probes/probe_set.h"
 #include "ui/run_window.h"
 
 #include <QFileDialog>
@@ -226,6 +227,58 @@ private slots:
         QVERIFY(m_window->windowTitle().startsWith("a.knead[*]"));
         QVERIFY(m_window->isWindowModified());
         QVERIFY(!snapshot().gravity.isZero());
+    }
+
+    void probesAreRecoveredAndSaved()
+    {
+        openExample("bar.step", 10);
+        switchGravity();
+        const auto& probes = m_window->probes().all();
+        QVERIFY(probes.empty());
+        const FilledBodies bodies = document().content().bodies;
+        const Vec3 corner = bodies[0]->mesh.vertices[0];
+        m_window->probes().add(*nearestPlace(document().content().box.center(), bodies));
+        m_window->probes().add(*nearestPlace(corner, bodies));
+        m_window->probes().remove(0);
+        const auto verify = [&] {
+            const auto& found = m_window->probes().all();
+            QCOMPARE(found.size(), std::size_t{1});
+            QCOMPARE(found[0].number, 2);
+            const FilledBody& body = *document().content().bodies[0];
+            QVERIFY((placeOf(found[0].place, body, body.mesh.vertices) - corner).norm() < 1e-9);
+            QTRY_VERIFY(!m_window->probes().all()[0].samples.empty());
+        };
+        verify();
+        newWindow(m_services);
+        recoverByHand();
+        verify();
+        saveTo(file("a.knead"));
+        m_window->probes().clear();
+        openProject(file("a.knead"));
+        verify();
+        m_window->probes().clear();
+        switchGravity();
+        saveTo(file("a.knead"));
+        openProject(file("a.knead"));
+        QVERIFY(m_window->probes().all().empty());
+        for (const char* spoiled : {"?", "{}", "[1]", R"([{"number":1,"body":7,"place":[0,0,0]}])"}) {
+            m_window->probes().remember(spoiled);
+            QVERIFY(m_window->probes().all().empty());
+        }
+    }
+
+    /// In a window that is narrower than the one that was lost.
+    void recoveredPartsAreWhollyInTheView()
+    {
+        m_window->resize(1900, 800);
+        rest();
+        openExample("bar.step", 10);
+        switchGravity();
+        QVERIFY(m_window->viewport().showsAll());
+        newWindow(m_services);
+        recoverByHand();
+        rest();
+        QVERIFY(m_window->viewport().showsAll());
     }
 
     void olderWorkDoesNotTakeThePlaceOfANewerFile()

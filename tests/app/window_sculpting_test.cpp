@@ -150,6 +150,12 @@ private slots:
             settle();
             QVERIFY(!hand().isStroking());
         }
+        action("sculptThumb")->setChecked(true);
+        press(onTop(0.5));
+        document().pause(); // before the finger was seen
+        release();
+        QVERIFY(comesTrue([this] { return document().isSettled() && snapshot().tools.empty(); }));
+        QVERIFY(snapshot().fixtures.empty());
     }
 
     void whatDoesNotDeformSaysWhy()

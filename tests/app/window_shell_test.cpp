@@ -7,6 +7,7 @@
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/preferences/preferences_dialog.h"
+#include "ui/project/project_keeper.h"
 #include "ui/run_window.h"
 
 #include <QCheckBox>
@@ -21,11 +22,13 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -411,6 +414,30 @@ private slots:
         QTRY_VERIFY(watched == nullptr);
     }
 
+    /// Panels that it brings to the front must not stay bright, nor cover what it says.
+    void theTourLiesOverAllPanels()
+    {
+        action("tour")->trigger();
+        auto* tour = find<Tour>("tour");
+        QTRY_VERIFY(tour->isVisible());
+        const auto isOfTour = [&](QPoint place) {
+            const QWidget* there = m_window->childAt(place);
+            return there == tour || (there != nullptr && tour->isAncestorOf(there));
+        };
+        for (int step = 0; step < 6; ++step) {
+            QTest::qWait(100); // panels are laid out later
+            QCOMPARE(tour->step(), step);
+            for (const char* name : {"modelDock", "propertiesDock", "timelineDock"}) {
+                const QWidget* dock = find<QDockWidget>(name);
+                QVERIFY2(isOfTour(dock->mapTo(m_window.get(), dock->rect().center())), name);
+            }
+            const QWidget* text = tour->findChild<QLabel*>("tourText");
+            QVERIFY(isOfTour(text->mapTo(m_window.get(), text->rect().center())));
+            press(tour, Qt::Key_Right);
+        }
+        QTRY_VERIFY(find<Tour>("tour") == nullptr);
+    }
+
     void theTourIsOfferedOnce()
     {
         m_window->features().help->offerTour();
@@ -455,7 +482,23 @@ private slots:
         m_window = std::make_unique<MainWindow>(m_services);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-        QCOMPARE(m_window->size(), QSize(1280, 800));
+        QCOMPARE(m_window->size(), MainWindow::firstSize(m_window->screen()->availableSize()));
+        QCOMPARE(MainWindow::firstSize({1920, 1080}), QSize(1280, 800));
+        const QSize small = MainWindow::firstSize({1280, 800}); // the system's title bar comes on top
+        QVERIFY(small.width() < 1280 && small.height() <= 760);
+    }
+
+    void fullScreenLeavesAMaximizedWindowMaximized()
+    {
+        m_window->showMaximized();
+        QTRY_VERIFY(m_window->isMaximized());
+        for (int i = 0; i < 2; ++i) {
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(m_window->isFullScreen() && action("fullScreen")->isChecked());
+            press(m_window.get(), Qt::Key_F11);
+            QTRY_VERIFY(!m_window->isFullScreen() && !action("fullScreen")->isChecked());
+            QVERIFY(m_window->isMaximized());
+        }
     }
 
     void panelsCloseComeBackAndAreRemembered()
@@ -576,6 +619,48 @@ private slots:
 
     // --- first page -----------------------------------------------------------------------------------------------------
 
+    void theFirstPageComesBackWithoutClosingThePart()
+    {
+        QVERIFY(!action("firstPage")->isEnabled() && !action("addPart")->isEnabled());
+        openExample("bar.step", 10);
+        press(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        action("firstPage")->trigger();
+        QVERIFY(find<QScrollArea>("homePage")->isVisible() && !m_window->viewport().isVisible());
+        QTRY_VERIFY(!snapshot().playing);
+        press(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_window->viewport().isVisible() && !find<QScrollArea>("homePage")->isVisible());
+        QVERIFY(!action("firstPage")->isChecked() && !document().isEmpty());
+        QTRY_VERIFY(document().isSettled());
+        m_window->projects().saveTo(QDir(m_folder.path()).filePath("first.knead"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified(), patience);
+        action("firstPage")->trigger();
+        auto* menu = find<QMenu>("examplesMenu");
+        QVERIFY(menu->isEnabled() && menu->actions().size() > 6);
+        action("example-plate.step")->trigger(); // another part ends it
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && m_window->windowTitle().startsWith("plate"),
+                                 patience);
+        QVERIFY(m_window->viewport().isVisible() && !action("firstPage")->isChecked());
+    }
+
+    void anotherWindowIsAtHand()
+    {
+        QAction* another = action("newWindow");
+        QVERIFY(another != nullptr && another->isEnabled()); // without a part, too
+        QCOMPARE(another->shortcut(), QKeySequence("Ctrl+N"));
+    }
+
+    void partsAreAddedToThoseThatAreOpen()
+    {
+        openExample("bar.step", 10);
+        QCOMPARE(document().content().model->parts.size(), std::size_t{1});
+        m_window->projects().saveTo(QDir(m_folder.path()).filePath("one.knead"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified() && !m_window->tasks().isRunning(), patience);
+        m_window->features().imports->addParts({example("plate.step")});
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && document().content().bodies.size() == 2, patience);
+        QCOMPARE(document().content().request.paths.size(), std::size_t{2});
+    }
+
     void theFirstPageShowsExamplesAndFilesOfLateAsPictures()
     {
         for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "plate"})
@@ -598,6 +683,8 @@ private slots:
     }
 
 private:
+    QTemporaryDir m_folder; ///< for projects
+
     CommandPalette* palette() { return find<CommandPalette>("commandPalette"); }
     PreferencesDialog* dialog() { return find<PreferencesDialog>("preferencesDialog"); }
 
@@ -690,7 +777,8 @@ private:
             }
         }
         for (const QAction* action : m_window->findChildren<QAction*>())
-            texts << action->text() << action->toolTip();
+            if (!action->objectName().startsWith("example-")) // names of files, as "Bend bar", are no words of ours
+                texts << action->text() << action->toolTip();
         texts.removeDuplicates();
         texts.removeAll(QString());
         return texts;

@@ -126,6 +126,11 @@ private slots:
         QTRY_VERIFY(find<QLabel>("performanceSummary")->text().contains("steps of"));
         QVERIFY(find<QLabel>("performanceRates")->text().contains("million connections per second"));
         QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing && document().isSettled());
+        openExample("bar.step"); // of which nothing is known yet
+        QVERIFY(find<QLabel>("performanceRates")->text().isEmpty());
+        QVERIFY(!find<QLabel>("performanceSummary")->text().contains("steps of"));
+        QCOMPARE(milliseconds(connections), 0.0);
     }
 
     void exportedFileHoldsWhatIsSeen()

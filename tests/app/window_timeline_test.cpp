@@ -13,6 +13,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace knead;
 
@@ -97,7 +98,7 @@ private slots:
         undo();
         QCOMPARE(digest(), branch);
 
-        // A tick of an entry goes there.
+        // A double click on the tick of an entry goes there.
         document().goToEntry(last);
         QCOMPARE(digest(), end);
         QTRY_COMPARE(axis->timeline().end, line.end);
@@ -106,6 +107,10 @@ private slots:
         dragTo(key.at);
         QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(key.at));
         settle();
+        QCOMPARE(tree().current(), last); // to look at it is not to go there
+        QVERIFY(panel->isLookingBack());
+        QTest::mouseDClick(axis, Qt::LeftButton, {}, axis->placeOf(key.at));
+        settle();
         QVERIFY(tree().current() != last && present().time == tree().record(key.entry).time);
         QVERIFY(!panel->isLookingBack());
         dragTo(middle.at + 0.4 * PlaybackCache::interval);
@@ -113,6 +118,32 @@ private slots:
         QTRY_VERIFY(snapshot().playing);
         QVERIFY(!panel->isLookingBack());
         QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at));
+    }
+
+    /// Or a press would land beside the mouse, and the end of the axis would lie under buttons.
+    void pressingDoesNotMoveTheAxis()
+    {
+        const Timeline line = filmed();
+        const QRect before = axis().geometry();
+        for (const double share : {0.3, 0.6, 0.9}) {
+            const int x = static_cast<int>(share * axis().width());
+            QTest::mouseMove(&axis(), QPoint(x, axis().height() / 2));
+            QTest::mousePress(&axis(), Qt::LeftButton, {}, QPoint(x, axis().height() / 2));
+            QTest::qWait(100); // panels are laid out later
+            QVERIFY(panel().isLookingBack());
+            QVERIFY(find<QToolButton>("filmBranch")->isVisible());
+            QCOMPARE(axis().geometry(), before);
+            QTest::mouseRelease(&axis(), Qt::LeftButton, {}, QPoint(x, axis().height() / 2));
+            QTest::qWait(100);
+            QCOMPARE(axis().geometry(), before);
+            const double at = axis().lookedAt().value_or(-1);
+            QVERIFY(std::abs(axis().placeOf(at).x() - x) <= 6); // a tick attracts
+        }
+        for (const int x : {1, axis().width() - 2}) // to the rim of the axis
+            QCOMPARE(m_window->childAt(axis().mapTo(m_window.get(), QPoint(x, axis().height() / 2))), &axis());
+        QTest::mouseClick(find<QToolButton>("filmReturn"), Qt::LeftButton);
+        QTest::qWait(100);
+        QCOMPARE(axis().geometry(), before);
     }
 
     void branchingLosesNothingThatIsUnderWay()

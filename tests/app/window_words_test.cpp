@@ -5,9 +5,11 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QTextBrowser>
+#include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
 #include <array>

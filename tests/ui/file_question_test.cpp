@@ -4,12 +4,14 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileSystemModel>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QTreeView>
 #include <QWidget>
 
 using namespace knead;
@@ -44,6 +46,27 @@ private slots:
         QCOMPARE(endingOf("3MF (*.3mf)"), "3mf");
         QCOMPARE(endingOf("Folder (*)"), QString());
         QCOMPARE(endingOf("Folder (*.)"), QString());
+    }
+
+    void columnsAreAsWideAsWhatIsInThem()
+    {
+        QString answer;
+        ask({.name = "write",
+             .title = "Write",
+             .filters = {"PDF (*.pdf)"},
+             .key = "reports",
+             .folder = m_folder.filePath("one"),
+             .file = "report.pdf"},
+            &answer);
+        const auto* list = dialog()->findChild<QTreeView*>("treeView");
+        QVERIFY(list != nullptr);
+        const QHeaderView* header = list->header();
+        QVERIFY(header->sectionSize(1) >= list->fontMetrics().horizontalAdvance("999.99 KiB"));
+        const QString date = QLocale::system().toString(QDateTime::currentDateTime(), QLocale::ShortFormat);
+        QVERIFY(header->sectionSize(3) >= list->fontMetrics().horizontalAdvance(date));
+        QTRY_VERIFY(header->sectionSize(0) > 200);
+        dialog()->reject();
+        QTRY_VERIFY(dialog() == nullptr);
     }
 
     /// The ending is that of the filter that is chosen, and the folder is remembered under the key of the question.

@@ -57,6 +57,26 @@ private slots:
         QCOMPARE(formatQuantity(0.0254, Quantity::Length), QString("25.4 mm"));
     }
 
+    void numbersAreWrittenAsInTheLanguage()
+    {
+        setNumberLanguage("de");
+        QCOMPARE(formatQuantity(0.0025, Quantity::Length), QString("2,5 mm"));
+        QCOMPARE(formatReading(-2.944e-6, Quantity::Length), QString("-2,94 µm"));
+        QCOMPARE(formatCount(7793), QString("7.793"));
+        QCOMPARE(formatCount(793), QString("793"));
+        QCOMPARE(formatCount(12'345'678), QString("12.345.678"));
+        QCOMPARE(localNumber(0.25, 'f', 2), QString("0,25"));
+        QCOMPARE(parseQuantity(formatQuantity(0.0025, Quantity::Length), Quantity::Length), std::optional(0.0025));
+        setNumberLanguage("fr");
+        QCOMPARE(formatCount(7793), QString::fromUtf8("7\u202f793"));
+        QCOMPARE(formatQuantity(0.0025, Quantity::Length), QString("2,5 mm"));
+        setNumberLanguage("xx"); // nobody speaks it
+        QCOMPARE(formatQuantity(0.0025, Quantity::Length), QString("2,5 mm"));
+        setNumberLanguage("en");
+        QCOMPARE(formatQuantity(0.0025, Quantity::Length), QString("2.5 mm"));
+        QCOMPARE(formatCount(7793), QString("7,793"));
+    }
+
     void readingsOfTinyLengthsAreInMicrometres()
     {
         QCOMPARE(formatReading(3.1416e-5, Quantity::Length), QString("0.0314 mm"));

@@ -1,14 +1,42 @@
 #include "ui/dialogs/file_question.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFileSystemModel>
+#include <QHeaderView>
+#include <QLocale>
 #include <QSettings>
+#include <QTreeView>
 
 namespace knead {
 
 namespace {
+
+constexpr QSize leastDialog(860, 540); // [pixels]
+constexpr int columnMargin = 24;       // around a text [pixels]
+
+/// Names get what there is, and sizes, kinds and dates what they take: Qt's columns are as wide as in the smallest
+/// dialog.
+void makeColumnsWide(QFileDialog& dialog)
+{
+    auto* list = dialog.findChild<QTreeView*>("treeView");
+    if (list == nullptr) // a dialog of the system
+        return;
+    const QFontMetrics metrics = list->fontMetrics();
+    QHeaderView* header = list->header();
+    header->setStretchLastSection(false);
+    header->setMinimumSectionSize(metrics.horizontalAdvance(QStringLiteral("1000.00 MiB")) + columnMargin);
+    header->setSectionResizeMode(0, QHeaderView::Stretch);
+    const QString date = QLocale::system().toString(QDateTime({2020, 12, 28}, {22, 58}), QLocale::ShortFormat);
+    const QString texts[] = {{}, "1000.00 MiB", "knead File Folder", date};
+    for (int column = 1; column < header->count() && column < 4; ++column) {
+        header->setSectionResizeMode(column, QHeaderView::Interactive);
+        header->resizeSection(column, metrics.horizontalAdvance(texts[column]) + columnMargin);
+    }
+    dialog.resize(dialog.size().expandedTo(leastDialog));
+}
 
 QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
 {
@@ -23,6 +51,7 @@ QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
     dialog->setObjectName(question.name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setNameFilters(question.filters);
+    makeColumnsWide(*dialog);
     return dialog;
 }
 

@@ -232,11 +232,12 @@ QWidget* ImportDialog::makeChoices()
 void ImportDialog::addLimits(QFormLayout* form)
 {
     auto* row = new QHBoxLayout;
-    const auto add = [&](const char* name, const char* key, const QString& suffix, const QString& tip, int most) {
+    const auto add = [&](const char* name, const char* key, const QString& automatic, const QString& suffix,
+                         const QString& tip, int most) {
         auto* box = new QSpinBox(this);
         box->setObjectName(name);
         box->setRange(0, most);
-        box->setSpecialValueText(tr("Automatic"));
+        box->setSpecialValueText(automatic);
         box->setSuffix(suffix);
         box->setToolTip(tip);
         box->setValue(QSettings().value(key, 0).toInt());
@@ -244,11 +245,11 @@ void ImportDialog::addLimits(QFormLayout* form)
         row->addWidget(box);
         return box;
     };
-    m_minutes = add("importMinutes", "import/minutes", tr(" min"),
+    m_minutes = add("importMinutes", "import/minutes", tr("Time: automatic"), tr(" min"),
                     tr("Reading is given up after this processor time; automatic: by the size of the file"), 10'000);
-    m_gibibytes = add("importMemory", "import/gibibytes", tr(" GiB"),
+    m_gibibytes = add("importMemory", "import/gibibytes", tr("Memory: automatic"), tr(" GiB"),
                       tr("Reading is given up when it wants more memory; automatic: by the size of the file"), 1'000);
-    form->addRow(tr("Give up after"), row);
+    form->addRow(tr("Reading may take"), row);
 }
 
 /// How finely to fill, in the order of the pages: automatic, objects, cells across the wall, spacing.

@@ -38,7 +38,7 @@ QString digitsOf(double ratio)
 {
     constexpr double grouped = 999.5; // from here on the digits of whole numbers are in groups
     if (ratio < grouped)
-        return QString::number(ratio, 'g', 3);
+        return localNumber(ratio, 'g', 3);
     const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 2);
     return formatCount(static_cast<std::size_t>(unit * std::round(ratio / unit)));
 }
@@ -118,7 +118,7 @@ void MaterialComparisonDialog::showBoth()
     const MaterialPreset& left = m_choices[static_cast<std::size_t>(std::max(0, m_left->currentIndex()))];
     const MaterialPreset& right = m_choices[static_cast<std::size_t>(std::max(0, m_right->currentIndex()))];
     m_table->clear();
-    m_table->setHeaderLabels({tr("Number"), materialName(left), materialName(right), tr("Right by left")});
+    m_table->setHeaderLabels({tr("Number"), materialName(left), materialName(right), tr("Right / left")});
     for (const MaterialField& field : materialFields())
         m_table->addTopLevelItem(rowOf(wordOfCore(field.name), left.material.*field.value, right.material.*field.value,
                                        quantityOfUnit(field.unit), field.zero));

@@ -4,6 +4,7 @@
 #include "core/mechanics/blade.h"
 #include "core/mechanics/tool_shape.h"
 #include "ui/document/tool_kinds.h"
+#include "ui/round_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ constexpr double timeToCross = 1.5; // a tool crosses the part in this time [s]
 constexpr double stallStrain = 0.25;
 // And a new knife by this times what its whole edge takes in the toughest material.
 constexpr double cutsInLimit = 4;
+constexpr double placeShare = 1.0 / 200; // of the part: new tools stand at places no finer than this
 
 } // namespace
 
@@ -37,13 +39,14 @@ void Document::addTool(const ToolKindLook& look)
     Manipulator tool;
     tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
     tool.kind = look.kind;
-    tool.size = size() * blockShare * look.proportions;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        tool.size[axis] = typedNumber(size() * blockShare * look.proportions[axis]);
     tool.rollsFreely = look.rollsFreely;
     const bool lies = tool.rolls() || (look.kind == ToolKind::cylinder && bladeOf(tool.shape()));
     if (lies) // across, and goes down
         tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
     tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
-    tool.speedLimit = size() / timeToCross;
+    tool.speedLimit = typedNumber(size() / timeToCross);
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)
         stiffest = std::max(stiffest, material.youngsModulus);
@@ -51,6 +54,7 @@ void Document::addTool(const ToolKindLook& look)
     if (const auto blade = bladeOf(tool.shape())) // which needs more than what would stall so small a block
         for (const Material& material : m_frame->snapshot->materials)
             tool.forceLimit = std::max(tool.forceLimit, cutsInLimit * material.toughness * blade->length());
+    tool.forceLimit = typedNumber(tool.forceLimit);
     m_toolToSelect = tool.name;
     post(AddManipulator{std::move(tool)});
 }
@@ -87,7 +91,11 @@ Vec3 Document::placeAbove(const Vec3& toolSize) const
         raise(tool.pose.position, tool.size / 2);
     if (top < box.min().z()) // nothing there, as in a ring
         top = box.max().z();
-    return {center.x(), center.y(), top + m_content->spacing + toolSize.z() / 2};
+    const double grid = placeShare * size();
+    const auto nearest = [](double steps) { return std::round(steps); };
+    const auto above = [](double steps) { return std::ceil(steps * (1 - 1e-12)); }; // what rounding left is no step
+    return {onGrid(center.x(), grid, nearest), onGrid(center.y(), grid, nearest),
+            onGrid(top + m_content->spacing + toolSize.z() / 2, grid, above)};
 }
 
 void Document::selectNewTool()

@@ -1,6 +1,7 @@
 #include "ui/document/entry_names.h"
 
 #include "ui/language/said.h"
+#include "ui/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -245,7 +246,7 @@ Message simulatedName(double seconds)
 
 Message timePhrase(double seconds)
 {
-    const auto number = [](double value, int digits) { return QString::number(value, 'f', digits).toStdString(); };
+    const auto number = [](double value, int digits) { return localNumber(value, 'f', digits).toStdString(); };
     if (seconds == 0)
         return Message("EntryNames", "0 s");
     if (std::abs(seconds) < 0.0995)

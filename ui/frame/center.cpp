@@ -35,10 +35,10 @@ Center::Center(Document& document, const QString& examplesFolder, QWidget* paren
     column->setSpacing(0);
     m_pages->addWidget(m_home);
     m_pages->addWidget(m_views);
-    column->addWidget(m_banner);
     m_row->setSpacing(0);
     m_row->addWidget(m_pages, 1);
     column->addLayout(m_row, 1);
+    m_banner->layOver(*m_pages);
     connect(m_pages, &QStackedWidget::currentChanged, this, &Center::showBars);
     connect(m_pages, &QStackedWidget::currentChanged, this, &Center::turned);
 }
@@ -56,6 +56,11 @@ void Center::showBars()
 {
     for (QToolBar* bar : m_bars)
         bar->setVisible(hasViews() && QSettings().value(keyOf(*bar), true).toBool());
+}
+
+void Center::showHome()
+{
+    m_pages->setCurrentWidget(m_home);
 }
 
 /// The bars first: the view is laid out, and drawn, once.

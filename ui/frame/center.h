@@ -15,8 +15,8 @@ class Document;
 class HomePage;
 class ViewGrid;
 
-/// The middle of the window: under a banner the first page, or the views with a bar for selecting beside them. Window thread
-/// only.
+/// The middle of the window: the first page, or the views with a bar for selecting beside them; a banner lies over both. Window
+/// thread only.
 class Center final : public QWidget {
     Q_OBJECT
 public:
@@ -29,6 +29,7 @@ public:
     enum class Side { left, right };
     /// A bar beside the views comes and goes with them, unless a person does not want it.
     void addBar(QToolBar& bar, Side side);
+    void showHome(); ///< the first page
     void showViews();
     bool hasViews() const; ///< they are shown, not the first page
 

@@ -33,6 +33,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -82,14 +83,22 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     m_docks.hideLaterOnes();
     m_layout = saveState();
     makeCommands();
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize())); // panels that were not laid out yet took more
+    resize(firstSize(screen()->availableSize())); // panels that were not laid out yet took more
     restoreSettings();
     m_notices->note(tr("Ready. Open a part with Ctrl+O, or drop a file on the window."));
+}
+
+QSize MainWindow::firstSize(const QSize& available)
+{
+    constexpr QSize wanted(1280, 800);
+    constexpr QSize frame(16, 48); // about; the system draws it, and its size is known when the window is shown
+    return wanted.boundedTo(available - frame);
 }
 
 /// The view lets go of the keyboard and of the document while that is still there.
 MainWindow::~MainWindow()
 {
+    disconnect(qApp, nullptr, this, nullptr);
     hide();
     m_tasks.stop();
     delete m_features->preferences; // its dialog asks for the window's actions to the end
@@ -177,10 +186,11 @@ void MainWindow::makeFeatures()
     f.recipes = new RecipesFeature(bench, *f.projects);
     f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench);
+    connect(f.recipes, &RecipesFeature::exportWanted, f.exports->action(), &QAction::trigger);
     f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
-    f.probes = new ProbesFeature(bench, f.measuring->measuring());
+    f.probes = new ProbesFeature(bench, f.measuring->measuring(), f.projects->keeper());
     f.hands = new HandsFeature(bench, *m_modes);
     f.recording = new RecordingFeature(bench);
     f.selection = new SelectionFeature(
@@ -214,7 +224,7 @@ void MainWindow::makeCommands()
     connect(m_actions->palette, &QAction::triggered, this, [this] { m_palette->open(); });
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_actions->fullScreen, &QAction::triggered, this,
-            [this](bool isFull) { isFull ? showFullScreen() : showNormal(); });
+            [this](bool isFull) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, isFull)); });
     connect(preferences, &PreferencesFeature::applied, this, &MainWindow::followPreferences);
     connect(preferences, &PreferencesFeature::wordsChanged, this, &MainWindow::sayAllAnew);
     connect(m_features->simulation, &SimulationFeature::threadsChosen, preferences, &PreferencesFeature::chooseThreads);
@@ -224,7 +234,16 @@ void MainWindow::makeCommands()
 void MainWindow::connectActions()
 {
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions->newWindow, &QAction::triggered, this, &MainWindow::openAnother);
+    connect(m_actions->firstPage, &QAction::toggled, this, &MainWindow::showFirstPage);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
+    m_availability.needPart({m_actions->firstPage});
+    for (const QuantityField* field : findChildren<QuantityField*>()) // the keys are the view's again
+        connect(field, &QuantityField::finished, this, [this] {
+            if (m_viewport->isVisible())
+                m_viewport->setFocus();
+        });
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::showHint); // keys drive in the view only
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
     connect(m_center, &Center::turned, this, &MainWindow::showHint);
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
@@ -244,6 +263,7 @@ void MainWindow::restoreSettings()
     m_features->preferences->apply();
     m_features->preferences->applyLook();
     restoreGeometry(settings.value("geometry").toByteArray());
+    m_actions->fullScreen->setChecked(isFullScreen());
     restoreState(settings.value("docks").toByteArray(), layoutVersion);
     m_display->restore();
     m_views->restore();
@@ -299,6 +319,7 @@ void MainWindow::modelChanged()
     const FilledModel& content = m_document.content();
     const bool isSimulated = !content.bodies.empty();
     m_center->showViews();
+    m_actions->firstPage->setChecked(false);
     m_features->views->showArrangement();
     m_modes->leave();
     m_features->simulation->showSurroundings();
@@ -331,7 +352,10 @@ QString MainWindow::hint() const
         return ofHand;
     const NavigationPreset& navigation = m_viewport->navigation();
     const QString orbit = navigation.nameOf(NavigationMotion::orbit);
-    if (m_document.selection().kind == Selection::Kind::Tool)
+    const bool isTool = m_document.selection().kind == Selection::Kind::Tool;
+    if (isTool && !m_viewport->hasFocus() && QApplication::focusWidget() != nullptr)
+        return tr("Click into the view: arrows then drive the tool   %1: orbit").arg(orbit);
+    if (isTool)
         return tr("Arrows, PgUp, PgDn: drive   Shift: slower   %1: orbit").arg(orbit);
     return tr("%1: orbit   %2: pan   Wheel: zoom").arg(orbit, navigation.nameOf(NavigationMotion::pan));
 }
@@ -341,12 +365,37 @@ void MainWindow::showHint()
     m_status->showHint(hint());
 }
 
-/// Esc: gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
-/// selects nothing.
+/// A program of its own, as when it is started anew.
+void MainWindow::openAnother()
+{
+    if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {}))
+        m_notices->problem(tr("Another window could not be opened."));
+}
+
+/// What is open stays so, and time stands still meanwhile: nobody sees it.
+void MainWindow::showFirstPage(bool on)
+{
+    if (m_document.isEmpty())
+        return;
+    if (on) {
+        m_document.pause();
+        m_center->showHome();
+        return;
+    }
+    m_center->showViews();
+    m_viewport->setFocus();
+}
+
+/// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the
+/// mode, else comes back from the past, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_viewport->cancelDrag())
         return;
+    if (m_actions->firstPage->isChecked() && !m_tasks.isRunning()) {
+        m_actions->firstPage->setChecked(false);
+        return;
+    }
     if (m_tasks.isRunning())
         m_tasks.cancel();
     else if (m_modes->leave())

@@ -44,6 +44,10 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    /// At the first start, so that the window fits a screen together with its frame. @param available of the screen
+    /// [pixels]
+    static QSize firstSize(const QSize& available);
+
     const Features& features() const { return *m_features; }
     void open(const QStringList& paths); ///< see ImportFeature::open()
     void open(const ImportChoices& request);
@@ -77,6 +81,8 @@ private:
     void modelChanged();
     void selectionChanged();
     QString hint() const;
+    void openAnother();
+    void showFirstPage(bool on);
     void showHint();
     void resetLayout();
     void followPreferences(const Preferences& now);

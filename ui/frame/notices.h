@@ -9,7 +9,8 @@ namespace knead {
 class Banner;
 class LogPanel;
 
-/// What the window says of its own accord: in the banner above the view, and line by line in the log. Window thread only.
+/// What the window says of its own accord: in the banner over the view, and line by line in the log. Window thread
+/// only.
 class Notices final : public QObject {
     Q_OBJECT
 public:

@@ -29,7 +29,12 @@ struct WindowMenus {
 } // namespace
 
 WindowActions::WindowActions(QWidget& window)
-    : quit(makeAction(window, {"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), nullptr, "Ctrl+Q"}))
+    : newWindow(makeAction(window, {"newWindow", QT_TRANSLATE_NOOP("Actions", "&New window"), nullptr, "Ctrl+N",
+                                    QT_TRANSLATE_NOOP("Actions", "Begin something else; what is open here stays")}))
+    , firstPage(makeSwitch(window, {"firstPage", QT_TRANSLATE_NOOP("Actions", "First pa&ge"), nullptr, "",
+                                    QT_TRANSLATE_NOOP("Actions", "Examples and files of late; the part that is open "
+                                                                 "stays, and Esc comes back")}))
+    , quit(makeAction(window, {"quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), nullptr, "Ctrl+Q"}))
     , cancel(makeAction(window, {"cancel", QT_TRANSLATE_NOOP("Actions", "Cancel"), "close", "Esc",
                                  QT_TRANSLATE_NOOP("Actions", "Stop what is being done")}))
     , palette(makeAction(window, {"palette", QT_TRANSLATE_NOOP("Actions", "Find a command..."), nullptr, "Ctrl+K",
@@ -48,8 +53,11 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     QMenuBar* bar = window.menuBar();
     QMenu* file = bar->addMenu(WindowMenus::tr("&File"));
     file->setObjectName("fileMenu");
-    file->addActions({f.imports->actions().open, f.imports->actions().openWithChoices});
+    const ImportFeature::Actions& in = f.imports->actions();
+    file->addActions({a.newWindow, in.open, in.openWithChoices});
     file->addMenu(&f.projects->recentMenu());
+    file->addMenu(&f.projects->examplesMenu());
+    file->addActions({in.addPart, a.firstPage});
     file->addSeparator();
     file->addActions(
         {f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(), f.recipes->exportAction()});

@@ -18,6 +18,8 @@ class TimelinePanel;
 struct WindowActions {
     explicit WindowActions(QWidget& window);
 
+    QAction* newWindow;
+    QAction* firstPage; ///< on: it is shown in place of what is open
     QAction* quit;
     QAction* cancel;
     QAction* palette;

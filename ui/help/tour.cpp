@@ -103,6 +103,7 @@ void Tour::go(int step)
     m_step = std::max(step, 0);
     const Step& now = m_steps[static_cast<std::size_t>(m_step)];
     m_place = now.place ? now.place() : nullptr;
+    raise(); // a panel that was brought to the front lies above all else, the tour included
     m_title->setText(now.title);
     m_text->setText(now.text);
     m_count->setText(tr("%1 of %2").arg(m_step + 1).arg(m_steps.size()));

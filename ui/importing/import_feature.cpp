@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "core/model/length_units.h"
+#include "ui/commands/availability.h"
 #include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/format_filters.h"
@@ -41,6 +42,9 @@ ImportFeature::Actions::Actions(QWidget& window)
           window,
           {"openWithChoices", QT_TRANSLATE_NOOP("Actions", "Open with &choices..."), nullptr, "Ctrl+Shift+O",
            QT_TRANSLATE_NOOP("Actions", "Look into files and choose parts, detail and units before they are opened")}))
+    , addPart(makeAction(window, {"addPart", QT_TRANSLATE_NOOP("Actions", "Add &part..."), nullptr, "",
+                                  QT_TRANSLATE_NOOP("Actions", "Open more parts together with those that are open, as "
+                                                               "one assembly: the work begins anew")}))
 {
 }
 
@@ -53,8 +57,10 @@ ImportFeature::ImportFeature(const Workbench& bench, ProjectsFeature& projects, 
     , m_panel(new ImportPanel(&bench.window))
 {
     bench.docks.add("importDock", tr("Import report"), m_panel);
+    bench.availability.needPart({m_actions.addPart});
     connect(m_actions.open, &QAction::triggered, this, [this] { askForFile(false); });
     connect(m_actions.openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
+    connect(m_actions.addPart, &QAction::triggered, this, &ImportFeature::askForParts);
     connect(m_panel, &ImportPanel::unitChosen, this, &ImportFeature::takeIn);
     connect(m_panel, &ImportPanel::healingChosen, this, &ImportFeature::takeHealed);
     connect(m_panel, &ImportPanel::fillingChosen, this, &ImportFeature::fillOpenParts);
@@ -131,6 +137,32 @@ void ImportFeature::askForFile(bool withChoices)
     askForFilesToRead(m_bench.window, question, [this, withChoices](const QStringList& paths) {
         m_projects.keeper().letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
     });
+}
+
+void ImportFeature::askForParts()
+{
+    const FileQuestion question{.name = "addPartDialog",
+                                .title = tr("Add parts"),
+                                .filters = QStringList(tr("Parts (%1)").arg(patternsToRead())) + filtersToRead(),
+                                .key = "folder"};
+    askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { addParts(paths); });
+}
+
+/// A session is of one model, so a new one begins.
+void ImportFeature::addParts(const QStringList& paths)
+{
+    if (m_bench.document.isEmpty())
+        return;
+    ImportChoices request = m_bench.document.content().request;
+    if (request.paths.empty()) {
+        m_bench.notices.problem(tr("Where these parts were read from is not known, so nothing can be opened together "
+                                   "with them."));
+        return;
+    }
+    for (const QString& path : paths)
+        request.paths.push_back(QFile::encodeName(path).toStdString());
+    request.spacing.reset(); // it was chosen for fewer
+    m_projects.keeper().letGo([this, request] { open(request); });
 }
 
 void ImportFeature::askForChoices(std::vector<FilePreview> previews)

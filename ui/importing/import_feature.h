@@ -28,6 +28,7 @@ public:
 
         QAction* open;
         QAction* openWithChoices;
+        QAction* addPart;
     };
 
     ImportFeature(const Workbench& bench, ProjectsFeature& projects, RecipesFeature& recipes);
@@ -43,6 +44,8 @@ public:
     /// Once what is not saved may go.
     void openInstead(const QStringList& paths);
     void askForFile(bool withChoices);
+    /// Opens files together with those that are open, once what is not saved may go.
+    void addParts(const QStringList& paths);
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
@@ -51,6 +54,7 @@ public:
     void showImport();
 
 private:
+    void askForParts();
     void askForChoices(std::vector<FilePreview> previews);
     void startRefill(double spacing);
     void refillOnceMore(double spacing);

@@ -1,6 +1,7 @@
 #include "ui/interaction/press_hand.h"
 
 #include "ui/language/said.h"
+#include "ui/round_number.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -150,7 +151,7 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
         thumb.kind = ToolKind::ball;
         thumb.size = Vec3::Constant(std::max(thumbShare * m_document.size(), thumbSpacings * spacing));
         thumb.friction = thumbFriction;
-        thumb.speedLimit = m_document.size() / crossingTime;
+        thumb.speedLimit = typedNumber(m_document.size() / crossingTime);
         thumb.forceLimit = press.limit = rounded(thumbForce(now.materials[hit.id], 0.5 * thumb.size.x()));
         press.poses = posesOf(thumb.shape(), thumb.pose.rotation);
         press.isNew = true;

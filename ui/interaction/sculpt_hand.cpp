@@ -24,7 +24,7 @@ namespace {
 constexpr double usualShare = 0.06;    // radius of a brush, in sizes of the part
 constexpr double fewestSpacings = 1.6; // at least, so that some objects are in it
 constexpr double largestShare = 0.5;   // of the part
-constexpr double crossingTime = 1;     // a finger or a patch would cross the part in this time [s]
+constexpr double strokeCrossing = 1;   // a finger or a patch would cross the part in this time [s]
 constexpr double keyFactor = 1.15;     // of radius and strength with one key or notch of the wheel
 constexpr double moreForce = 1.5;      // with one key, at the limit
 constexpr double weakest = 0.1;        // of the strength that suits the material
@@ -72,9 +72,11 @@ void SculptHand::documentChanged(Document::Change what)
     case Document::Change::Moment:
         m_stroke.reset();
         m_startFrame.reset();
+        m_orphans.clear();
         m_overlay->refresh();
         break;
     case Document::Change::Frame:
+        removeOrphans();
         if (m_stroke)
             follow();
         break;
@@ -132,7 +134,7 @@ SculptChoice SculptHand::choice() const
             .mirrored = {choices.mirrorX, choices.mirrorY, choices.mirrorZ},
             .middle = middle(),
             .holdsRest = choices.holdsRest,
-            .speed = m_document.size() / crossingTime};
+            .speed = m_document.size() / strokeCrossing};
 }
 
 SurfaceSpot SculptHand::spotAt(const PickHit& hit, const Frame& frame) const
@@ -149,6 +151,8 @@ bool SculptHand::mousePressed(QMouseEvent& event)
     const std::optional<PickHit> hit = m_brush ? pressedBody(event) : std::nullopt;
     if (!hit)
         return false;
+    if (m_stroke && !m_document.hasSeen(m_request)) // of fingers that go up nothing is known yet
+        return true;
     m_cursor = event.position();
     if (const QString reason = whyNot(hit->id); !reason.isEmpty())
         emit refused(reason);
@@ -311,10 +315,22 @@ void SculptHand::letGo()
 {
     if (!m_stroke)
         return;
-    post(m_stroke->abandon(*m_document.frame()->snapshot));
+    post(m_stroke->abandon(*m_document.frame()->snapshot, m_orphans));
     m_makesTimeRun = false;
     finish();
     m_overlay->refresh();
+}
+
+void SculptHand::removeOrphans()
+{
+    std::erase_if(m_orphans, [this](const std::string& name) {
+        const std::vector<ToolState>& tools = m_document.frame()->snapshot->tools;
+        const auto found = std::ranges::find(tools, name, &ToolState::name);
+        if (found == tools.end())
+            return false;
+        m_document.post(RemoveManipulator{found->id});
+        return true;
+    });
 }
 
 double SculptHand::force() const

@@ -1,6 +1,7 @@
 #include "ui/language/language.h"
 
 #include "ui/language/retranslation.h"
+#include "ui/units.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -144,6 +145,7 @@ void speak(const QString& code)
     Interpreter& now = interpreter();
     if (now.code() == code || !isOurs(code))
         return;
+    setNumberLanguage(code);
     now.change(code);
     QEvent change(QEvent::LanguageChange); // Qt's own texts, and who wants to know
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);

@@ -23,7 +23,7 @@ namespace {
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Tensile strength"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "never breaks"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Elongation at break"),
-                                                      QT_TRANSLATE_NOOP("MaterialPanel", "flows without end"),
+                                                      QT_TRANSLATE_NOOP("MaterialPanel", "no limit"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Toughness"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "knives do not cut it"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Adhesion"),

@@ -6,9 +6,12 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QLocale>
+#include <QMarginsF>
+#include <QPageLayout>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QUrl>
 
 #include <cmath>
 
@@ -16,8 +19,12 @@ namespace knead {
 
 namespace {
 
-constexpr int pictureWidth = 640; // [pixels] on the page
-constexpr int dotsPerInch = 150;
+constexpr QSize largestPicture(640, 420);       // on the page [pixels]
+constexpr QSize smallestPicture(240, 160);      // for which the table comes onto the same page [pixels]
+constexpr int dotsPerInch = 150;                // of the PDF
+constexpr double pageMargin = 15;               // of the PDF [mm]
+constexpr double pixelsPerPoint = 96.0 / 72;    // on the page
+constexpr const char* pictureInPdf = "picture"; // its name among the resources of the page
 
 struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(ComparisonReport)
@@ -29,7 +36,7 @@ QString changed(double rest, double now, Quantity quantity)
     const double share = rest != 0 && std::abs(100 * (now / rest - 1)) >= least ? 100 * (now / rest - 1) : 0;
     return QStringLiteral("%1 → %2 (%3 %)")
         .arg(formatQuantity(rest, quantity), formatQuantity(now, quantity),
-             share == 0 ? QStringLiteral("0") : QString::asprintf("%+.2f", share));
+             share == 0 ? QStringLiteral("0") : localNumber(QString::asprintf("%+.2f", share)));
 }
 
 QString cell(const QString& text, const char* tag = "td")
@@ -64,17 +71,43 @@ QString tableOf(const Comparison& comparison)
     return text + "</table>";
 }
 
-QString pictureOf(const QImage& image)
+/// As an address that holds all of it.
+QString addressOf(const QImage& image)
 {
-    if (image.isNull())
-        return {};
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
-    return QStringLiteral("<p><img width=\"%1\" src=\"data:image/png;base64,%2\"></p>")
-        .arg(pictureWidth)
-        .arg(QString::fromLatin1(bytes.toBase64()));
+    return "data:image/png;base64," + QString::fromLatin1(bytes.toBase64());
+}
+
+/// As large as fits into a room, width to height as they are.
+QString pictureOf(const QImage& image, const QString& address, const QSize& room)
+{
+    if (image.isNull())
+        return {};
+    const QSize size = image.size().scaled(room, Qt::KeepAspectRatio);
+    return QStringLiteral("<p><img width=\"%1\" height=\"%2\" src=\"%3\"></p>")
+        .arg(size.width())
+        .arg(size.height())
+        .arg(address);
+}
+
+QString pageOf(const ComparisonReport& report, const QString& picture);
+
+/// With the largest picture beside which all is on one page; where nothing helps, with the largest.
+void layOut(QTextDocument& page, const ComparisonReport& report)
+{
+    page.addResource(QTextDocument::ImageResource, QUrl(QLatin1String(pictureInPdf)), report.picture);
+    const auto fill = [&](const QSize& room) {
+        page.setHtml(pageOf(report, pictureOf(report.picture, QLatin1String(pictureInPdf), room)));
+        return page.pageCount() == 1;
+    };
+    constexpr double smaller = 0.85;
+    for (QSize room = largestPicture; room.height() >= smallestPicture.height(); room *= smaller)
+        if (fill(room))
+            return;
+    fill(largestPicture);
 }
 
 QByteArray pdfOf(const ComparisonReport& report)
@@ -89,21 +122,22 @@ QByteArray pdfOf(const ComparisonReport& report)
         writer.setPageOrientation(QPageLayout::Landscape);
         writer.setTitle(report.part);
         writer.setCreator(QStringLiteral("Knead"));
+        writer.setPageMargins(QMarginsF(pageMargin, pageMargin, pageMargin, pageMargin), QPageLayout::Millimeter);
         QTextDocument page;
         page.setDefaultFont(QFont("sans-serif", 9));
-        page.setHtml(htmlOf(report));
+        page.setPageSize(pixelsPerPoint * writer.pageLayout().paintRect(QPageLayout::Point).size());
+        layOut(page, report);
         page.print(&writer);
     }
     return bytes;
 }
 
-} // namespace
-
-QString htmlOf(const ComparisonReport& report)
+QString pageOf(const ComparisonReport& report, const QString& picture)
 {
-    QString text = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + report.part.toHtmlEscaped() +
-                   "</title><style>body { font-family: sans-serif; color: #1d2126; } table { border-collapse: "
-                   "collapse; } th { background-color: #e9ecef; }</style></head><body>";
+    QString text =
+        "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + report.part.toHtmlEscaped() +
+        "</title><style>body { font-family: sans-serif; color: #1d2126; } table { border-collapse: "
+        "collapse; } th { background-color: #e9ecef; } img, tr { break-inside: avoid; }</style></head><body>";
     const bool isOfFiles = !report.original.isEmpty();
     const QString title = isOfFiles ? ReportWords::tr("%1 beside %2").arg(report.part, report.original)
                                     : ReportWords::tr("%1 beside its original").arg(report.part);
@@ -112,7 +146,7 @@ QString htmlOf(const ComparisonReport& report)
                                      : ReportWords::tr("At %1 of simulated time. Written by Knead on %2.")
                                            .arg(formatReading(report.comparison.time, Quantity::Time), when);
     text += "<h2>" + title.toHtmlEscaped() + "</h2><p>" + origin.toHtmlEscaped() + "</p>";
-    text += pictureOf(report.picture) + tableOf(report.comparison);
+    text += picture + tableOf(report.comparison);
     text +=
         "<p><small>" +
         (isOfFiles ? ReportWords::tr("Distances are those of each surface from the nearest point of the other, the "
@@ -125,6 +159,13 @@ QString htmlOf(const ComparisonReport& report)
     if (!report.measurements.isEmpty())
         text += "<h3>" + ReportWords::tr("Measurements").toHtmlEscaped() + "</h3>" + report.measurements;
     return text + "</body></html>";
+}
+
+} // namespace
+
+QString htmlOf(const ComparisonReport& report)
+{
+    return pageOf(report, pictureOf(report.picture, addressOf(report.picture), largestPicture));
 }
 
 QByteArray bytesOf(const ComparisonReport& report, const QString& name)

@@ -7,7 +7,18 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace knead {
+
+namespace {
+
+constexpr int bannerInset = 8;    // from the upper edge of the view [px]
+constexpr int cubeRoom = 124;     // that stays free beside it, for the cube of directions [px]
+constexpr int leastBanner = 420;  // narrower views are covered from side to side [px]
+constexpr int widestBanner = 900; // [px]
+
+} // namespace
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent)
@@ -53,6 +64,35 @@ void Banner::changeEvent(QEvent* event)
     QFrame::changeEvent(event);
 }
 
+void Banner::layOver(QWidget& view)
+{
+    m_view = &view;
+    view.installEventFilter(this);
+    place();
+}
+
+bool Banner::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+/// In the middle of the upper edge, as high as its sentence takes.
+void Banner::place()
+{
+    if (m_view == nullptr)
+        return;
+    const QRect view = m_view->geometry();
+    const int beside = view.width() - 2 * cubeRoom;
+    const int width = std::min(beside < leastBanner ? view.width() - 2 * bannerInset : beside, widestBanner);
+    ensurePolished();
+    layout()->activate();
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+    setGeometry(view.center().x() - width / 2, view.top() + bannerInset, width, height);
+    raise();
+}
+
 void Banner::show(const QString& sentence, const QString& remedy, const QString& other)
 {
     m_sentence->setText(sentence);
@@ -61,6 +101,7 @@ void Banner::show(const QString& sentence, const QString& remedy, const QString&
     m_other->setText(other);
     m_other->setVisible(!other.isEmpty());
     QFrame::show();
+    place();
 }
 
 QString Banner::sentence() const

@@ -7,11 +7,15 @@ class QToolButton;
 
 namespace knead {
 
-/// One sentence above the view that does not stop the work, with at most two remedies to click.
+/// One sentence that does not stop the work, with at most two remedies to click. It lies over the upper edge of the
+/// view, which stays where it is while the mouse works in it.
 class Banner final : public QFrame {
     Q_OBJECT
 public:
     explicit Banner(QWidget* parent = nullptr);
+
+    /// @param view that it lies over, of the same parent
+    void layOver(QWidget& view);
 
     /// @param remedy text of the button; none when empty
     /// @param other text of a second button; none when empty
@@ -24,14 +28,17 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void drawSign();
+    void place();
 
     QLabel* m_sign;
     QLabel* m_sentence;
     QToolButton* m_remedy;
     QToolButton* m_other;
+    QWidget* m_view = nullptr; ///< that it lies over
 };
 
 } // namespace knead

@@ -80,9 +80,8 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
         part.samples == 0
             ? QString()
             : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
-    row->setText(
-        6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
-                                         formatChange(part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0)));
+    row->setText(6, QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
+                                                  formatChange(part.volumeChange())));
     row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())
@@ -167,6 +166,17 @@ void ExportPanel::changeEvent(QEvent* event)
         show(std::vector<ExportReport>(m_reports));
 }
 
+/// How many of the parts came back as they should.
+QString ExportPanel::verdict(std::size_t sound, std::size_t parts)
+{
+    if (sound == parts)
+        return parts == 1 ? tr("The part is sound.") : tr("All parts are sound.");
+    if (parts == 1)
+        return tr("The part is not sound.");
+    return parts - sound == 1 ? tr("One of %1 parts is not sound.").arg(parts)
+                              : tr("%1 of %2 parts are not sound.").arg(parts - sound).arg(parts);
+}
+
 void ExportPanel::show(const std::vector<ExportReport>& reports)
 {
     m_reports = reports;
@@ -202,10 +212,8 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
                                               : tr("%1 files").arg(reports.size());
     m_summary->setText(tr("%1: %2, %3 MB in %4 s. %5")
                            .arg(files, reports.empty() ? QString() : QString::fromStdString(reports.front().format))
-                           .arg(1e-6 * static_cast<double>(bytes), 0, 'g', 3)
-                           .arg(seconds, 0, 'f', 1)
-                           .arg(sound == parts ? tr("All parts are sound.")
-                                               : tr("%1 of %2 parts are not sound.").arg(parts - sound).arg(parts)));
+                           .arg(localNumber(1e-6 * static_cast<double>(bytes), 'g', 3), localNumber(seconds, 'f', 1))
+                           .arg(verdict(sound, parts)));
 }
 
 } // namespace knead

@@ -19,6 +19,9 @@ public:
 
     void show(const std::vector<ExportReport>& reports);
 
+    /// A sentence. @param sound parts of all `parts`
+    static QString verdict(std::size_t sound, std::size_t parts);
+
 protected:
     void changeEvent(QEvent* event) override;
 

@@ -1,7 +1,9 @@
 #include "ui/panels/fitting_tool_bar.h"
 
 #include <QAction>
+#include <QActionEvent>
 #include <QEvent>
+#include <QKeyEvent>
 #include <QToolButton>
 
 #include <algorithm>
@@ -44,6 +46,34 @@ bool FittingToolBar::event(QEvent* event)
     if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
         fit();
     return isDone;
+}
+
+/// QToolBar gives its buttons no focus.
+void FittingToolBar::actionEvent(QActionEvent* event)
+{
+    QToolBar::actionEvent(event);
+    if (event->type() != QEvent::ActionAdded)
+        return;
+    if (QToolButton* button = buttonOf(event->action())) {
+        button->setFocusPolicy(Qt::TabFocus);
+        button->installEventFilter(this);
+    }
+}
+
+/// Space goes on meaning the simulation, so Enter presses.
+bool FittingToolBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        auto* button = qobject_cast<QToolButton*>(watched);
+        if (button != nullptr && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            event->accept();
+            if (event->type() == QEvent::KeyPress)
+                button->click();
+            return true;
+        }
+    }
+    return QToolBar::eventFilter(watched, event);
 }
 
 /// Changes nothing that is right already, so that it comes to rest.

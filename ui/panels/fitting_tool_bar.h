@@ -11,7 +11,7 @@ class QToolButton;
 namespace knead {
 
 /// A tool bar whose buttons have texts beside their icons as far as there is room, so that none falls off in a narrow window or
-/// a language of long words.
+/// a language of long words. Tab leads to its buttons, and Enter presses them.
 class FittingToolBar final : public QToolBar {
 public:
     using QToolBar::QToolBar;
@@ -24,6 +24,8 @@ public:
 
 protected:
     bool event(QEvent* event) override;
+    void actionEvent(QActionEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void fit();

@@ -52,7 +52,7 @@ QString memoryText(std::size_t bytes)
     const double value = static_cast<double>(bytes) / bytesPerMegabyte;
     if (value < 0.95)
         return HistoryPanel::tr("%1 kB").arg(std::ceil(1024 * value), 0, 'f', 0);
-    return HistoryPanel::tr("%1 MB").arg(value, 0, 'f', value < 10 ? 1 : 0);
+    return HistoryPanel::tr("%1 MB").arg(localNumber(value, 'f', value < 10 ? 1 : 0));
 }
 
 /// The tree with keys of its own: Enter goes to an entry.

@@ -10,6 +10,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -63,6 +64,7 @@ QGridLayout* makeGrid(QWidget* owner)
 
 HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     : QScrollArea(parent)
+    , m_examplesFolder(examplesFolder)
 {
     setObjectName("homePage");
     setFrameShape(QFrame::NoFrame);
@@ -167,6 +169,27 @@ void HomePage::addExamples(QVBoxLayout* column, const QString& folder)
         grid->addWidget(card, grid->count() / cardsInRow, grid->count() % cardsInRow);
     }
     column->addWidget(all);
+}
+
+void HomePage::fillExamples(QMenu& menu)
+{
+    const QDir folder(m_examplesFolder);
+    const QString recipeEnding = QStringLiteral(".recipe.json");
+    const auto add = [&](const QFileInfo& file, const QString& name) {
+        QAction* action = menu.addAction(name);
+        action->setObjectName("example-" + file.fileName());
+        action->setToolTip(file.fileName());
+        connect(
+            action, &QAction::triggered, this, [this, path = file.absoluteFilePath()] { emit fileChosen(path); },
+            Qt::QueuedConnection);
+    };
+    for (const QFileInfo& part : folder.entryInfoList({"*.step", "*.stp"}, QDir::Files, QDir::Name))
+        if (folder.exists(part.completeBaseName() + ".png")) // else it belongs to a recipe
+            add(part, readableName(part));
+    menu.addSeparator();
+    for (const QFileInfo& recipe : folder.entryInfoList({'*' + recipeEnding}, QDir::Files, QDir::Name))
+        add(recipe, readableName(QFileInfo(recipe.fileName().chopped(recipeEnding.size()) + ".json")));
+    menu.setEnabled(!menu.isEmpty());
 }
 
 void HomePage::showRecent(const QStringList& paths)

@@ -5,6 +5,7 @@
 class QFrame;
 class QGridLayout;
 class QLabel;
+class QMenu;
 class QVBoxLayout;
 
 namespace knead {
@@ -17,6 +18,8 @@ public:
     /// @param examplesFolder holds the *.step files that are offered, each with a picture: "bar.step", "bar.png"
     explicit HomePage(const QString& examplesFolder, QWidget* parent = nullptr);
 
+    /// A menu of the examples: parts, and below them recipes.
+    void fillExamples(QMenu& menu);
     /// Offers the first few of these to be opened again.
     void showRecent(const QStringList& paths);
     /// Says that unsaved work waits; none: says nothing.
@@ -38,6 +41,7 @@ private:
     QWidget* makeWaiting();
     void addExamples(QVBoxLayout* column, const QString& folder);
 
+    const QString m_examplesFolder;
     QFrame* m_zone = nullptr;
     QFrame* m_waiting = nullptr;
     QLabel* m_waitingNames = nullptr;

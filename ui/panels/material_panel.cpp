@@ -7,6 +7,7 @@
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
+#include "ui/units.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -243,11 +244,11 @@ void MaterialPanel::showFacts()
     const MaterialFacts facts = factsOf(m_document.content(), *m_document.frame()->snapshot, m_body, m_stepSeconds);
     m_soundSpeed->setText(formatReading(facts.soundSpeed, Quantity::Speed));
     m_stableStep->setText(formatReading(facts.stableStep, Quantity::Time));
-    const QString ratio = QString::number(facts.ratio, 'g', 2);
+    const QString ratio = localNumber(facts.ratio, 'g', 2);
     const QString about = facts.isMeasured ? ratio : tr("about %1").arg(ratio);
     m_ratio->setText(facts.ratio >= keepsUp ? tr("keeps up with real time") : tr("%1 of real time").arg(about));
     showWallCells(facts.cellsAcrossWall);
-    setRole(*m_ratio, facts.ratio < keepsUp ? "slow" : "");
+    setRole(*m_ratio, facts.isMeasured && facts.ratio < keepsUp ? "slow" : ""); // a guess is no reason to worry
 }
 
 /// With what too few of them do to bending.
@@ -255,7 +256,7 @@ void MaterialPanel::showWallCells(double cells)
 {
     const double error = bendingErrorOf(cells);
     const bool isCoarse = cells > 0 && error > bendingErrorOf(fewestCellsAcrossWall);
-    const QString number = QString::number(cells, 'g', 2);
+    const QString number = localNumber(cells, 'g', 2);
     m_wallCells->setText(cells == 0          ? tr("not measured")
                          : !isCoarse         ? number
                          : std::isinf(error) ? tr("%1: many times too stiff").arg(number)

@@ -6,6 +6,7 @@
 #include "ui/language/said.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
+#include "ui/units.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -72,7 +73,7 @@ void MaterialPanel::showFirmnessReading(int notch)
     m_firmnessReading->setText(
         notch == 0
             ? tr("as it is")
-            : said(Message("MaterialPanel", "%1 times").with(QString::number(factorOf(notch), 'g', 2).toStdString())));
+            : said(Message("MaterialPanel", "%1 times").with(localNumber(factorOf(notch), 'g', 2).toStdString())));
 }
 
 /// Of which material the present one is a softer or firmer kind: of the one that it was, of a preset, or of itself.

@@ -38,7 +38,8 @@ QString changeText(const Reading& reading)
     const QString text = formatReading(change, reading.quantity);
     const bool hasShare = reading.quantity == Quantity::Volume && reading.rest != 0;
     const QString share =
-        hasShare ? QStringLiteral(" (%1 %)").arg(QString::asprintf("%+.2f", 100 * change / reading.rest)) : QString();
+        hasShare ? QStringLiteral(" (%1 %)").arg(localNumber(QString::asprintf("%+.2f", 100 * change / reading.rest)))
+                 : QString();
     return (change > 0 ? "+" + text : text) + share;
 }
 

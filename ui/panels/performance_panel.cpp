@@ -60,7 +60,7 @@ const std::array<StageLook, stageCount + 1>& looks()
 
 std::string withDecimals(double number, int decimals)
 {
-    return QString::number(number, 'f', decimals).toStdString();
+    return localNumber(number, 'f', decimals).toStdString();
 }
 
 QString milliseconds(double seconds)
@@ -180,7 +180,19 @@ PerformancePanel::PerformancePanel(QWidget* parent)
     grid->setColumnStretch(2 * cellsPerRow, 1);
     column->addLayout(grid);
     column->addStretch(1);
+    clear();
+}
+
+void PerformancePanel::clear()
+{
+    m_smooth.assign(looks().size(), 0.0);
+    m_bar->show({});
+    m_rates->clear();
     m_summary->setText(tr("Open a part and press play to see where the time goes."));
+    for (const Row& row : m_rows) {
+        row.frame->clear();
+        row.step->clear();
+    }
 }
 
 void PerformancePanel::show(const Snapshot& snapshot)

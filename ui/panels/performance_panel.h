@@ -17,6 +17,7 @@ public:
     explicit PerformancePanel(QWidget* parent = nullptr);
 
     void show(const Snapshot& snapshot);
+    void clear(); ///< what was read of another part says nothing any more
 
 private:
     class BudgetBar;

@@ -113,6 +113,7 @@ void QuantityField::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape) {
         restore();
+        emit finished();
         return;
     }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
@@ -120,6 +121,8 @@ void QuantityField::keyPressEvent(QKeyEvent* event)
             commit();
         else
             restore();
+        if (!hasProblem())
+            emit finished();
         return;
     }
     QLineEdit::keyPressEvent(event);

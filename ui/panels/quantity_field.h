@@ -41,6 +41,7 @@ public:
 
 signals:
     void committed(double value);
+    void finished(); ///< by Enter or Esc, and nothing is wrong with what is in it
 
 protected:
     bool event(QEvent* event) override;

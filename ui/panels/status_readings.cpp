@@ -23,7 +23,7 @@ constexpr double realTime = 0.95; // from here on the ratio counts as real time
 
 Message ratioWords(double ratio)
 {
-    return Message("QObject", "%1x real time").with(QString::number(ratio, 'f', ratio < 0.1 ? 3 : 2).toStdString());
+    return Message("QObject", "%1x real time").with(localNumber(ratio, 'f', ratio < 0.1 ? 3 : 2).toStdString());
 }
 
 QString ratioText(double ratio)
@@ -133,7 +133,8 @@ void StatusReadings::show(const Snapshot& snapshot)
 {
     const bool isSlow = snapshot.ratio < realTime * m_speed;
     const QString chosen =
-        tr("%1x of %2x as chosen").arg(snapshot.ratio, 0, 'f', snapshot.ratio < 0.1 ? 3 : 2).arg(m_speed);
+        tr("%1x of %2x as chosen")
+            .arg(localNumber(snapshot.ratio, 'f', snapshot.ratio < 0.1 ? 3 : 2), localNumber(m_speed, 'g', 6));
     m_ratio->setText(!snapshot.playing ? tr("Paused") : m_speed == 1 ? ratioText(snapshot.ratio) : chosen);
     setRole(*m_ratio, snapshot.playing && isSlow ? "slow" : "heading");
     m_updates->setText(snapshot.playing ? tr("%1 Hz").arg(snapshot.updatesPerSecond, 0, 'f', 0) : QString());

@@ -2,6 +2,7 @@
 
 #include "ui/document/entry_names.h"
 #include "ui/panels/plot_axis.h"
+#include "ui/units.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -104,6 +105,11 @@ void TimelineAxis::paintEvent(QPaintEvent* /*event*/)
     paintFillings(painter);
     paintTicks(painter);
     paintHeads(painter);
+    if (lacksFilm()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(margin, 0, -margin, -1), Qt::AlignHCenter | Qt::AlignBottom,
+                         tr("no film kept"));
+    }
 }
 
 void TimelineAxis::paintRuler(QPainter& painter) const
@@ -117,7 +123,7 @@ void TimelineAxis::paintRuler(QPainter& painter) const
         painter.setPen(palette().color(QPalette::Mid));
         painter.drawLine(QPointF(x + 0.5, rulerHeight), QPointF(x + 0.5, height() - 4));
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        const QString text = at == 0 ? tr("0 s") : QString::number(at, 'f', axis.decimals());
+        const QString text = at == 0 ? tr("0 s") : localNumber(at, 'f', axis.decimals());
         const int textWidth = painter.fontMetrics().horizontalAdvance(text);
         painter.drawText(std::clamp(x - textWidth / 2, 1, width() - textWidth - 1), rulerHeight - 4, text);
     }
@@ -211,7 +217,7 @@ QString TimelineAxis::textAt(double at) const
     constexpr int most = 6;
     if (names.size() > most)
         names = QStringList{tr("... and %1 before").arg(names.size() - most)} + names.mid(names.size() - most);
-    return timeText(near->at) + '\n' + names.join('\n');
+    return timeText(near->at) + '\n' + names.join('\n') + '\n' + tr("Double-click: go there");
 }
 
 bool TimelineAxis::event(QEvent* event)
@@ -245,6 +251,12 @@ void TimelineAxis::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && !m_timeline.ticks.empty())
         emit released(atPlace(event->position().x()));
+}
+
+void TimelineAxis::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !m_timeline.ticks.empty())
+        emit doubleClicked(atPlace(event->position().x()));
 }
 
 void TimelineAxis::leaveEvent(QEvent* event)

@@ -20,6 +20,9 @@ public:
     void show(Timeline timeline);
     /// Where a person looks; none: at the present.
     void lookAt(std::optional<double> at);
+    /// Whether time was simulated of which nothing can be looked at: projects keep entries, and no film.
+    bool lacksFilm() const { return m_timeline.end > 0 && m_timeline.pictures.empty(); }
+    std::optional<double> lookedAt() const { return m_looking; }
     const Timeline& timeline() const { return m_timeline; }
 
     QPoint placeOf(double at) const; ///< in this widget; for tests too
@@ -29,6 +32,7 @@ signals:
     void grabbed();          ///< the button went down
     void dragged(double at); ///< [s]
     void released(double at);
+    void doubleClicked(double at);
 
 protected:
     bool event(QEvent* event) override;
@@ -36,6 +40,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:

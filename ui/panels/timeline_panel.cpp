@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace knead {
@@ -27,11 +28,14 @@ namespace {
 constexpr int drawingTime = 40; // [ms]
 constexpr int pictureTime = 33; // between pictures while the film is played [ms]
 constexpr std::array<double, 7> rates{0.1, 0.25, 0.5, 1, 2, 4, 8};
-constexpr int usualRate = 3; // index
+constexpr int usualRate = 3;    // index
+constexpr double onTick = 1e-9; // what the axis says is on a tick, is exactly there [s]
 
-QString whyNoFilm()
+QString whyNoFilm(bool wasSimulated = false)
 {
-    return TimelinePanel::tr("Simulate something first, and look back at it.");
+    return wasSimulated
+               ? TimelinePanel::tr("Projects keep entries and no film: go to one with a double click, or simulate on.")
+               : TimelinePanel::tr("Simulate something first, and look back at it.");
 }
 
 } // namespace
@@ -55,6 +59,7 @@ TimelinePanel::TimelinePanel(Document& document, QWidget* parent)
     connect(m_axis, &TimelineAxis::grabbed, m_player, &QTimer::stop);
     connect(m_axis, &TimelineAxis::dragged, this, &TimelinePanel::lookAt);
     connect(m_axis, &TimelineAxis::released, this, &TimelinePanel::release);
+    connect(m_axis, &TimelineAxis::doubleClicked, this, &TimelinePanel::goThere);
     connect(&document, &Document::changed, this, &TimelinePanel::documentChanged);
     showState();
 }
@@ -82,8 +87,14 @@ void TimelinePanel::makeButtons()
     m_branch = makeButton("filmBranch", "branch", tr("Branch here"),
                           tr("Go on from what you see: a new branch of the history"));
     m_return = makeButton("filmReturn", "close", tr("Return"), tr("Back to the present (Esc)"));
-    for (QToolButton* button : {m_branch, m_return})
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_branch->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (QToolButton* button : {m_branch, m_return}) { // their room is kept: the axis must not move under the mouse
+        QSizePolicy policy = button->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        button->setSizePolicy(policy);
+    }
+    m_state->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms")));
+    m_state->setAlignment(Qt::AlignCenter);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_toStart, m_back, m_play, m_on, m_toEnd, m_rate, m_axis,
                                                            m_state, m_branch, m_return})
         row->addWidget(widget, widget == m_axis ? 1 : 0);
@@ -192,20 +203,27 @@ PlaybackFramePointer TimelinePanel::frameFor(double at) const
     return picture == nullptr || m_player->isActive() ? line.frameAt(at) : picture->frame;
 }
 
-/// On an entry: goes there.
+/// Whether the entry that one is in lies at a time.
+bool TimelinePanel::isPresent(double at) const
+{
+    const auto present = m_document.history().tree().current();
+    const auto& ticks = m_axis->timeline().ticks;
+    return std::any_of(ticks.begin(), ticks.end(), [&](const Timeline::Tick& tick) {
+        return tick.entry == present && std::abs(tick.at - at) < onTick;
+    });
+}
+
+/// At the present, or where nothing was filmed, there is nothing to look back at.
 void TimelinePanel::release(double at)
 {
-    const Timeline& line = m_axis->timeline();
-    const Timeline::Tick* tick = line.tickNear(at, 1e-9);
-    if (tick == nullptr)
-        return;
-    const auto present = m_document.history().tree().current();
-    const bool isPresent = std::any_of(line.ticks.begin(), line.ticks.end(), [&](const Timeline::Tick& other) {
-        return other.entry == present && other.at == tick->at;
-    });
-    if (isPresent)
+    if (m_seen == nullptr || isPresent(at))
         stopLooking();
-    else
+}
+
+/// To the entry at a time, if there is one.
+void TimelinePanel::goThere(double at)
+{
+    if (const Timeline::Tick* tick = m_axis->timeline().tickNear(at, onTick); tick != nullptr && !isPresent(at))
         m_document.goToEntry(tick->entry);
 }
 
@@ -279,8 +297,11 @@ void TimelinePanel::stopLooking()
 void TimelinePanel::showState()
 {
     const bool hasFilm = !m_axis->timeline().pictures.empty();
-    for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd})
+    for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd}) {
         button->defaultAction()->setEnabled(hasFilm);
+        button->defaultAction()->setProperty("whyDisabled", whyNoFilm(m_axis->lacksFilm()));
+    }
+    m_rate->setProperty("whyDisabled", whyNoFilm(m_axis->lacksFilm()));
     m_rate->setEnabled(hasFilm);
     const bool isPlaying = m_player->isActive();
     m_play->defaultAction()->setIcon(icon(isPlaying ? "pause" : "film"));
@@ -290,8 +311,6 @@ void TimelinePanel::showState()
     m_return->defaultAction()->setEnabled(m_looking.has_value());
     const Timeline& line = m_axis->timeline();
     m_state->setText(timeText(m_looking.value_or(line.present)) + " / " + timeText(line.end));
-    m_state->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms")));
-    m_state->setAlignment(Qt::AlignCenter);
 }
 
 } // namespace knead

@@ -21,7 +21,8 @@ namespace knead {
 class TimelineAxis;
 
 /// What was simulated, to be looked at again: drag along it, play it at any rate, go to an entry, or branch from any moment.
-/// Looking back changes nothing but the view. What its buttons do are its actions().
+/// Looking back changes nothing but the view; a double click on an entry goes to it. What its buttons do are its
+/// actions().
 class TimelinePanel final : public QWidget {
     Q_OBJECT
 public:
@@ -57,7 +58,9 @@ private:
     void drawn(const PlaybackFramePointer& frame, std::uint64_t look, const FramePointer& picture,
                const QString& caption);
     PlaybackFramePointer frameFor(double at) const;
+    bool isPresent(double at) const;
     void release(double at);
+    void goThere(double at);
     void stepBy(int pictures);
     void togglePlay();
     void playOn();

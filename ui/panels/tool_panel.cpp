@@ -13,6 +13,7 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace knead {
@@ -20,6 +21,7 @@ namespace knead {
 namespace {
 
 constexpr const char* axisNames[] = {"X", "Y", "Z"};
+constexpr double noise = 1e-6;      // of the size of a tool
 constexpr double plateThinness = 8; // a plate made of something thicker is this much thinner than wide
 
 int indexOf(ToolKind kind)
@@ -134,7 +136,8 @@ void ToolPanel::showTool()
     m_peak->setText(formatReading(tool->peakForce, Quantity::Force));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
-        m_position[axis]->setValue(tool->pose.position[i]);
+        const double place = tool->pose.position[i]; // what rounding left of zero is no place
+        m_position[axis]->setValue(std::abs(place) < noise * tool->size.maxCoeff() ? 0 : place);
         m_size[axis]->setValue(tool->size[i]);
     }
     m_speed->setValue(tool->speedLimit);

@@ -1,5 +1,8 @@
 #include "ui/probes/probe_set.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
 
 #include <algorithm>
@@ -13,8 +16,15 @@ namespace knead {
 namespace {
 
 constexpr std::size_t mostFilmFrames = 300; // that are read at a time
+constexpr std::size_t fewObjects = 20'000;  // of which strains are read as fast as frames come
+constexpr int mostProbes = 1'000'000;       // numbers beyond that are no numbers of probes
 // Distinct on light and dark ground, and for people who see few colors.
 constexpr std::array colors{"#3d8bfd", "#e6a23c", "#2fa56a", "#c9579b", "#8b6fd8", "#d9622b", "#5fc2c9", "#9aa5b1"};
+
+QColor colorOfProbe(int number)
+{
+    return QColor(colors[static_cast<std::size_t>(number - 1) % colors.size()]);
+}
 
 bool isEarlier(const ProbeSample& a, const ProbeSample& b)
 {
@@ -121,8 +131,8 @@ void ProbeSet::contentChanged()
 
 void ProbeSet::add(const SkinPlace& place)
 {
-    const QColor color(colors[static_cast<std::size_t>(m_count) % colors.size()]);
-    m_all.push_back({place, ++m_count, color, {}});
+    ++m_count;
+    m_all.push_back({place, m_count, colorOfProbe(m_count), {}});
     placesChanged();
 }
 
@@ -136,6 +146,43 @@ void ProbeSet::clear()
 {
     m_all.clear();
     m_count = 0;
+    placesChanged();
+}
+
+std::string ProbeSet::memory() const
+{
+    if (m_all.empty())
+        return {};
+    QJsonArray all;
+    for (const Probe& probe : m_all) {
+        const FilledBody& body = *m_bodies[probe.place.body];
+        const Vec3 at = placeOf(probe.place, body, body.mesh.vertices);
+        all.append(QJsonObject{{"number", probe.number},
+                               {"body", static_cast<qint64>(probe.place.body)},
+                               {"place", QJsonArray{at.x(), at.y(), at.z()}}});
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+void ProbeSet::remember(const std::string& memory)
+{
+    m_all.clear();
+    m_count = 0;
+    const QJsonArray all = QJsonDocument::fromJson(QByteArray::fromStdString(memory)).array();
+    for (const QJsonValue& value : all) {
+        const auto body = static_cast<std::size_t>(value["body"].toInteger(-1));
+        const int number = value["number"].toInt();
+        if (body >= m_bodies.size() || number < 1 || number > mostProbes)
+            continue;
+        const QJsonArray at = value["place"].toArray();
+        FilledBodies own(m_bodies.size()); // bodies that touch have the same places
+        own[body] = m_bodies[body];
+        const auto place = nearestPlace(Vec3(at[0].toDouble(), at[1].toDouble(), at[2].toDouble()), own);
+        if (!place)
+            continue;
+        m_all.push_back({*place, number, colorOfProbe(number), {}});
+        m_count = std::max(m_count, number);
+    }
     placesChanged();
 }
 
@@ -177,6 +224,12 @@ void ProbeSet::forgetAfter(double time)
     m_seen = nullptr;
 }
 
+/// What stands still is read whole: nobody waits for the next frame.
+bool ProbeSet::readsStrains(const Snapshot& snapshot) const
+{
+    return m_withStrains || !snapshot.playing || snapshot.objects <= fewObjects;
+}
+
 /// The newest frame, when the one before is done.
 void ProbeSet::read()
 {
@@ -184,12 +237,13 @@ void ProbeSet::read()
         return;
     m_isReading = true;
     m_seen = m_document.frame()->snapshot;
-    m_reading.run([this, generation = m_generation, places = m_places, snapshot = m_seen, with = m_withStrains] {
-        const auto tell = [this, generation, samples = readProbes(places, *snapshot, with)] {
-            take(generation, samples);
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-    });
+    m_reading.run(
+        [this, generation = m_generation, places = m_places, snapshot = m_seen, with = readsStrains(*m_seen)] {
+            const auto tell = [this, generation, samples = readProbes(places, *snapshot, with)] {
+                take(generation, samples);
+            };
+            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        });
 }
 
 void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& samples)

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <atomic>
+#include <string>
 #include <vector>
 
 namespace knead {
@@ -34,7 +35,14 @@ public:
     void remove(std::size_t index);
     void clear();
 
-    /// Whether strain and stress are read, which takes longer the more objects there are.
+    /// As a project keeps them: a JSON text of where they are on the bodies as they were filled; empty: there are
+    /// none.
+    std::string memory() const;
+    /// The other way; what is no such text, or belongs to other bodies, is none.
+    void remember(const std::string& memory);
+
+    /// Whether strain and stress are read while time runs, too, however many objects there are: it takes longer the
+    /// more they are.
     void setWithStrains(bool on);
 
 signals:
@@ -48,6 +56,7 @@ private:
     void findPlaces();
     void placesChanged();
     void forgetAfter(double time);
+    bool readsStrains(const Snapshot& snapshot) const;
     void read();
     void readFilm();
     void take(std::uint64_t generation, const std::vector<ProbeSample>& samples);

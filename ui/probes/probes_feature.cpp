@@ -5,15 +5,19 @@
 #include "ui/measuring/measuring.h"
 #include "ui/panels/probe_panel.h"
 #include "ui/probes/probe_set.h"
+#include "ui/project/project_keeper.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QMainWindow>
+#include <QPointer>
+
+#include <string>
 
 namespace knead {
 
-ProbesFeature::ProbesFeature(const Workbench& bench, Measuring& measuring)
+ProbesFeature::ProbesFeature(const Workbench& bench, Measuring& measuring, ProjectKeeper& keeper)
     : QObject(&bench.window)
     , m_bench(bench)
     , m_probes(new ProbeSet(bench.document, &bench.window))
@@ -24,6 +28,14 @@ ProbesFeature::ProbesFeature(const Workbench& bench, Measuring& measuring)
         askForTextFile(m_bench, tr("Write what the probes read"), "-probes.csv", {tr("Table (*.csv)")},
                        [this](const QString& path) { write(path); });
     });
+    const QPointer<ProbeSet> probes = m_probes;
+    keeper.keepPanel("probes", {.memory = [probes] { return probes ? probes->memory() : std::string(); },
+                                .remember =
+                                    [probes](const std::string& memory) {
+                                        if (probes)
+                                            probes->remember(memory);
+                                    }});
+    connect(m_probes, &ProbeSet::changed, &keeper, &ProjectKeeper::panelChanged);
     const auto mark = [this, &measuring] { measuring.setOtherMarks(probeMarks()); };
     connect(m_probes, &ProbeSet::changed, this, mark);
     connect(&bench.viewport, &ViewportBridge::renderRequested, this, [this, mark] {

@@ -12,6 +12,7 @@ namespace knead {
 
 class Measuring;
 class ProbeSet;
+class ProjectKeeper;
 struct OverlayMark;
 
 /// Places of the part at which something is plotted over time: their panel, their marks, and the table as a file. Window thread only.
@@ -19,7 +20,8 @@ class ProbesFeature final : public QObject {
     Q_OBJECT
 public:
     /// @param measuring whose way of picking places is taken
-    ProbesFeature(const Workbench& bench, Measuring& measuring);
+    /// @param keeper whose projects keep them
+    ProbesFeature(const Workbench& bench, Measuring& measuring, ProjectKeeper& keeper);
 
     ProbeSet& probes() { return *m_probes; }
 

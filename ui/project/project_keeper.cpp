@@ -90,6 +90,17 @@ QString ProjectKeeper::filter() const
     return tr("Knead projects (*.%1)").arg(QString::fromStdString(m_services.ending));
 }
 
+void ProjectKeeper::keepPanel(const std::string& name, PanelMemory panel)
+{
+    m_kept[name] = std::move(panel);
+}
+
+void ProjectKeeper::panelChanged()
+{
+    if (!m_isChanging && !m_isNew && m_autosave.isBegun())
+        m_autosave.followPanels(panels());
+}
+
 void ProjectKeeper::open(PreparedModel parts)
 {
     const QScopedValueRollback changing(m_isChanging, true);

@@ -51,6 +51,14 @@ public:
     bool isProject(const QString& file) const;                ///< by its ending
     QString filter() const;                                   ///< "Knead projects (*.knead)"
 
+    /// What a panel keeps in projects: its text, empty when there is nothing to keep, and what reads that again.
+    struct PanelMemory {
+        std::function<std::string()> memory;
+        std::function<void(const std::string& memory)> remember;
+    };
+    void keepPanel(const std::string& name, PanelMemory panel);
+    void panelChanged(); ///< its text is another one
+
     /// Shows parts that were opened: a new project without a file begins.
     void open(PreparedModel parts);
 
@@ -93,7 +101,7 @@ private:
     void offerRemedy(const ProjectRequest& request, const ReadProject& read);
     void show(ReadProject read);
     bool showModel(ReadProject& read);
-    void showView(const ProjectView& view);
+    void showView(const ProjectView& view, bool isRecovered);
     void listMissing(const std::vector<Message>& missing);
 
     /// A saving from when it is asked for until it ends.
@@ -145,6 +153,7 @@ private:
     std::shared_ptr<void> m_lock; ///< of the file
     std::vector<ProjectMark> m_marks;
     std::map<std::string, std::string> m_panels;  ///< of the file that was opened
+    std::map<std::string, PanelMemory> m_kept;    ///< panels of this window
     bool m_isChanging = false;                    ///< the document is about to be another one
     bool m_isNew = false;                         ///< opened, but its first moment is not there yet
     std::optional<std::uint64_t> m_savedRevision; ///< of what would not be lost; none: recovered work would be

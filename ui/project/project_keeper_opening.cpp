@@ -87,7 +87,12 @@ void ProjectKeeper::show(ReadProject read)
     m_lock = std::move(read.lock);
     m_marks = std::move(read.marks);
     m_panels = std::move(read.panels);
-    showView(read.view);
+    showView(read.view, isRecovered);
+    {
+        const QScopedValueRollback changing(m_isChanging, true); // the recovery is still that of the last project
+        for (const auto& [panel, kept] : m_kept)
+            kept.remember(m_panels.contains(panel) ? m_panels[panel] : std::string());
+    }
     if (!m_isNew) {
         m_savedRevision.reset();
         if (read.isSaved)
@@ -132,12 +137,16 @@ bool ProjectKeeper::showModel(ReadProject& read)
     }
 }
 
-void ProjectKeeper::showView(const ProjectView& view)
+/// A camera that was kept for a window of another size may leave parts beside the view. Who saved it may have wanted
+/// that, but nobody chose when recovered work was kept.
+void ProjectKeeper::showView(const ProjectView& view, bool isRecovered)
 {
     const Camera camera = restored(view.camera);
     emit perspectiveRestored(camera.perspective);
     m_window.viewport.jumpTo(camera);
     m_window.tree.hideParts({view.hiddenParts.begin(), view.hiddenParts.end()});
+    if (isRecovered && !m_window.viewport.showsAll())
+        m_window.viewport.fit();
 }
 
 void ProjectKeeper::listMissing(const std::vector<Message>& missing)

@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTimer>
 
 #include <chrono>
@@ -202,6 +203,11 @@ std::map<std::string, std::string> ProjectKeeper::panels() const
 {
     std::map<std::string, std::string> result = m_window.document.panels();
     result.insert(m_panels.begin(), m_panels.end()); // where they are not the document's, which are newer
+    for (const auto& [name, panel] : m_kept)
+        if (std::string memory = panel.memory(); memory.empty())
+            result.erase(name);
+        else
+            result[name] = std::move(memory);
     return result;
 }
 
@@ -242,6 +248,9 @@ void ProjectKeeper::letGo(std::function<void()> then)
     m_question->setInformativeText(m_path.isEmpty() ? tr("It has never been saved.")
                                                     : tr("What was done since it was saved is lost otherwise."));
     m_question->setDefaultButton(QMessageBox::Save);
+    m_question->button(QMessageBox::Save)->setText(tr("&Save"));
+    m_question->button(QMessageBox::Discard)->setText(tr("&Discard"));
+    m_question->button(QMessageBox::Cancel)->setText(tr("&Cancel"));
     connect(m_question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
         if (button == QMessageBox::Save)
             saveAll(then);

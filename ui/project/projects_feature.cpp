@@ -48,12 +48,15 @@ ProjectsFeature::ProjectsFeature(const Workbench& bench, ModelTree& tree, HomePa
     , m_actions(bench.window)
     , m_home(home)
     , m_recent(*new QMenu(tr("Open &recent"), &bench.window))
+    , m_examples(*new QMenu(tr("E&xamples"), &bench.window))
     , m_keeper(std::make_unique<ProjectKeeper>(
           bench.services.projects, bench.services.packing,
           ProjectKeeper::Window{&bench.window, bench.document, bench.tasks, bench.viewport, tree}))
 {
     m_recent.setObjectName("recentMenu");
     m_recent.setToolTipsVisible(true);
+    m_examples.setObjectName("examplesMenu");
+    home.fillExamples(m_examples);
     const ProjectKeeper* keeper = m_keeper.get();
     connect(keeper, &ProjectKeeper::changed, this, &ProjectsFeature::showTitle);
     connect(keeper, &ProjectKeeper::problem, &bench.notices, &Notices::problem);

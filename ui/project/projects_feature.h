@@ -37,6 +37,7 @@ public:
 
     const Actions& actions() const { return m_actions; }
     QMenu& recentMenu() const { return m_recent; } ///< the files that were open lately, as the first page has them
+    QMenu& examplesMenu() const { return m_examples; }
     ProjectKeeper& keeper() { return *m_keeper; }
 
     /// @return whether they were a matter of projects
@@ -65,6 +66,7 @@ private:
     Actions m_actions;
     HomePage& m_home;
     QMenu& m_recent;
+    QMenu& m_examples;
     std::unique_ptr<ProjectKeeper> m_keeper;
     bool m_mayClose = false; ///< what is not saved is not wanted
 };

@@ -16,6 +16,7 @@
 #include <QMainWindow>
 
 #include <algorithm>
+#include <memory>
 
 namespace knead {
 
@@ -30,6 +31,22 @@ RecipesFeature::RecipesFeature(const Workbench& bench, ProjectsFeature& projects
 {
     bench.availability.needBodies({m_export});
     connect(m_export, &QAction::triggered, this, &RecipesFeature::askForRecipe);
+    connect(&bench.document, &Document::recipeEnded, this, &RecipesFeature::offerExports);
+    connect(&bench.document, &Document::changed, this, [this](Document::Change what) {
+        if (what == Document::Change::Model && m_model != m_bench.document.content().model)
+            m_exports.clear(); // of a recipe that is open no more
+    });
+}
+
+/// The window writes nothing of its own accord.
+void RecipesFeature::offerExports()
+{
+    if (m_exports.isEmpty())
+        return;
+    const QString sentence = said(Message("RecipesFeature", "The recipe names files to export: %1.")
+                                      .with(m_exports.join(QStringLiteral(", ")).toStdString()));
+    m_bench.notices.warn(sentence);
+    m_bench.notices.advise(sentence, tr("Export..."), [this] { emit exportWanted(); });
 }
 
 bool RecipesFeature::opened(const QStringList& paths)
@@ -54,16 +71,21 @@ void RecipesFeature::open(const QString& path)
     m_bench.notices.hide();
     const QString name = QFileInfo(path).fileName();
     const QString title = said(Message("RecipesFeature", "Opening %1").with(name.toStdString()));
-    const auto work = [services = m_bench.services.recipes, path, title](TaskControl& control) {
+    const auto exports = std::make_shared<QStringList>();
+    const auto work = [services = m_bench.services.recipes, path, title, exports](TaskControl& control) {
         constexpr double readShare = 0.7; // of the progress
         TaskPortion reading(control, 0, readShare);
         RecipeStart recipe = services.open(encoded(path), reading);
+        for (const RecipeExport& wanted : recipe.exports)
+            *exports << QString::fromStdString(wanted.file);
         TaskPortion preparing(control, readShare, 1);
         return prepareRecipe(std::move(recipe), preparing);
     };
-    const auto finish = [this, path, name](PreparedModel prepared) {
+    const auto finish = [this, path, name, exports](PreparedModel prepared) {
         prepared.name = Message("RecipesFeature", "Open %1").with(name.toStdString());
         m_projects.keeper().open(std::move(prepared));
+        m_model = m_bench.document.content().model;
+        m_exports = *exports;
         m_projects.addRecent(path);
         m_bench.notices.note(tr("Play carries out %1; what is done by hand comes on top of it.").arg(name));
     };

@@ -3,6 +3,9 @@
 #include "ui/frame/workbench.h"
 
 #include <QObject>
+#include <QStringList>
+
+#include <memory>
 
 class QAction;
 
@@ -18,12 +21,19 @@ public:
 
     QAction* exportAction() const { return m_export; }
 
+    /// Files that the opened recipe names; they are offered when it has come to its end.
+    const QStringList& namedExports() const { return m_exports; }
+
     /// @return whether they were a matter of recipes
     bool opened(const QStringList& paths);
     /// Writes the session as a recipe in the background.
     void exportTo(const QString& path);
 
+signals:
+    void exportWanted();
+
 private:
+    void offerExports();
     void open(const QString& path);
     void askForRecipe();
     void write(const QString& path);
@@ -31,6 +41,8 @@ private:
     Workbench m_bench;
     ProjectsFeature& m_projects;
     QAction* m_export;
+    QStringList m_exports;
+    std::shared_ptr<const Model> m_model; ///< of the recipe
 };
 
 } // namespace knead

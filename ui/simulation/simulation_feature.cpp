@@ -79,6 +79,10 @@ SimulationFeature::SimulationFeature(const Workbench& bench, StatusReadings& rea
     });
     connect(m_panel, &SimulationPanel::threadsChosen, this, &SimulationFeature::threadsChosen);
     new PressButton(m_actions.pressIt, &bench.views);
+    connect(&bench.document, &Document::changed, m_performance, [this](Document::Change what) {
+        if (what == Document::Change::Model)
+            m_performance->clear();
+    });
     auto* remarks = new RunRemarks(bench.document, this);
     connect(remarks, &RunRemarks::said, &bench.notices, &Notices::remark);
     connect(&bench.notices, &Notices::otherClicked, &bench.document, &Document::reset);

@@ -2,6 +2,9 @@
 
 #include "ui/language/said.h"
 #include "ui/round_number.h"
+#include "ui/units.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -91,13 +94,13 @@ ScaleText textOf(const ColorScale& scale)
                                        : QStringLiteral("%1 [%2]").arg(nameOf(scale.quantity), unit.symbol);
     if (scale.errorShare >= leastError)
         text.title = QCoreApplication::translate("ColorScale", "%1, about ±%2 %")
-                         .arg(text.title, QString::number(100 * scale.errorShare, 'g', 2));
+                         .arg(text.title, localNumber(100 * scale.errorShare, 'g', 2));
     const double step = roundUp((scale.most - scale.least) / unit.scale / mostSteps, {1.0, 2.0, 2.5, 5.0});
     const double first = std::ceil(scale.least / unit.scale / step - 1e-6);
     for (double i = first; i * step * unit.scale <= scale.most + 1e-6 * (scale.most - scale.least); ++i) {
         const double value = i * step;
         // Zero is zero, and not -0 or what rounding left.
-        text.ticks.push_back({scale.shareOf(value * unit.scale), QString::number(i == 0 ? 0.0 : value, 'g', 5)});
+        text.ticks.push_back({scale.shareOf(value * unit.scale), localNumber(i == 0 ? 0.0 : value, 'g', 5)});
     }
     return text;
 }

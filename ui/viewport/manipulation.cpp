@@ -80,8 +80,10 @@ void Manipulation::setHovered(const PickHit& hit)
 {
     const bool isSame = hit.kind == m_hovered.kind && hit.id == m_hovered.id && hit.face == m_hovered.face;
     m_hovered = hit;
-    if (!isSame)
-        emit hoverChanged();
+    if (isSame)
+        return;
+    m_isJustToggled = false;
+    emit hoverChanged();
 }
 
 void Manipulation::press(const Ray& ray)
@@ -96,9 +98,11 @@ void Manipulation::press(const Ray& ray)
         m_drag = Drag{hit.id, hit.place, pose, pose, pose, {}};
         m_document.beginGesture();
     } else if (hit.kind == PickHit::Kind::Body) {
-        if (m_isFixing)
+        if (m_isFixing) {
+            m_isJustToggled = true; // no highlight covers the new color
             m_document.toggleFace(hit.id, hit.face);
-        else
+            emit hoverChanged();
+        } else
             m_document.select({Selection::Kind::Body, hit.id});
     } else if (!m_isFixing) {
         m_document.select({});

@@ -18,6 +18,8 @@ public:
     /// While on, faces are picked to be fixed or freed.
     void setFixing(bool on);
     bool isFixing() const { return m_isFixing; }
+    /// Whether a face was just held or freed and the mouse is still on it: what became of it is to be seen.
+    bool isJustToggled() const { return m_isJustToggled; }
 
     ScenePicker& picker() { return m_picker; }
 
@@ -64,6 +66,7 @@ private:
     ScenePicker m_picker;
     PickHit m_hovered;
     bool m_isFixing = false;
+    bool m_isJustToggled = false;
     std::optional<Drag> m_drag;
     std::set<int> m_keys; ///< held
     bool m_isSlow = false;

@@ -148,6 +148,9 @@ void RegionTool::select(const Region& region)
     const How how = m_press->modifiers & Qt::ShiftModifier     ? How::Remove
                     : m_press->modifiers & Qt::ControlModifier ? (isClick ? How::Toggle : How::Add)
                                                                : How::Replace;
+    const bool isBesideAll = isClick && region.isEmpty(); // which leaves the tool that one drives
+    if (isBesideAll && m_document.selection().kind == Selection::Kind::Tool)
+        return;
     if (!region.isEmpty() || how == How::Replace)
         m_document.selected().select(region, how);
 }

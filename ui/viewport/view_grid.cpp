@@ -18,12 +18,19 @@ constexpr int captionUnderName = 36; // [pixels]
 constexpr double fitTolerance = 1e-3;
 constexpr double turnBudget = 0.008; // for side views between two events; at least one is drawn [s]
 
-/// As they come: the free one as a new camera looks, the others in parallel from where they are named after.
-Camera firstCamera(ViewSlot slot)
+/// From where a part is looked at first: the free view as a new camera looks, the others from where they are named
+/// after.
+Vec3 firstDirection(ViewSlot slot)
 {
     const Vec3 directions[viewSlots] = {{1, -1, 1}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
+    return directions[static_cast<std::size_t>(slot)];
+}
+
+/// As they come; those with names are in parallel.
+Camera firstCamera(ViewSlot slot)
+{
     Camera camera;
-    camera.lookFrom(directions[static_cast<std::size_t>(slot)]);
+    camera.lookFrom(firstDirection(slot));
     camera.perspective = slot == ViewSlot::free;
     return camera;
 }
@@ -226,6 +233,15 @@ void ViewGrid::contentChanged()
     if (m_box.isEmpty() || !m_box.isApprox(box))
         m_areFitted.fill(false);
     m_box = box;
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.content().model);
+    if (before != nullptr && before != m_model) { // how the last part was turned says nothing of another one
+        m_areFitted.fill(false);
+        for (const ViewSlot slot : allViewSlots) {
+            Camera turned = cameraToBe(slot);
+            turned.lookFrom(firstDirection(slot));
+            setCamera(slot, turned);
+        }
+    }
     fitNew();
 }
 

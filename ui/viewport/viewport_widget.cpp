@@ -238,18 +238,17 @@ void ViewportWidget::updateMarks()
 {
     SceneMarks marks;
     const Selection& selection = m_document.selection();
-    if (selection.kind == Selection::Kind::Body && m_document.content().bodies.size() > 1)
+    if (selection.kind == Selection::Kind::Body)
         marks.selectedBody = selection.id;
     if (selection.kind == Selection::Kind::Tool)
         marks.selectedTool = selection.id;
     const PickHit& hovered = m_manipulation->hovered();
     if (hovered.kind == PickHit::Kind::Tool)
         marks.hoveredTool = hovered.id;
-    if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
+    if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing() && !m_manipulation->isJustToggled())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
-    const bool isOnly = m_document.content().bodies.size() == 1; // nothing else could be meant
-    if (const Region& selected = m_document.selected().region(); selected.level != Level::Part || !isOnly)
-        marks.selected = selected;
+    marks.selected = m_document.selected().region();
+    const bool isOnly = m_document.content().bodies.size() == 1; // the cursor could mean nothing else
     if (const Region& under = m_regions->hovered(); under.level != Level::Part || !isOnly)
         marks.hovered = under;
     if (m_highlight)
@@ -292,6 +291,19 @@ QImage ViewportWidget::portrait()
 WindowSize ViewportWidget::window() const
 {
     return {static_cast<double>(std::max(1, width())), static_cast<double>(std::max(1, height()))};
+}
+
+bool ViewportWidget::showsAll() const
+{
+    const Camera camera = cameraAfterTurning();
+    const Box box = sceneBox();
+    const WindowSize size = window();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto seen = camera.project(box.corner(static_cast<Box::CornerType>(corner)), size);
+        if (!seen || seen->x < 0 || seen->y < 0 || seen->x > size.width || seen->y > size.height)
+            return false;
+    }
+    return true;
 }
 
 Box ViewportWidget::materialBox() const

@@ -78,6 +78,7 @@ public:
     void jumpTo(const Camera& camera);
     /// Where the view looks from, or will when it has turned.
     Camera cameraAfterTurning() const;
+    bool showsAll() const;                          ///< whether all that is drawn but the ground is within the view
     Box sceneBox() const { return m_scene->box(); } ///< of all that is drawn but the ground [m]
     /// What lies under a pixel of another view of the same scene lights up, as if the mouse were over it here.
     void hoverFrom(const Camera& camera, const WindowSize& window, const Pixel& pixel);
