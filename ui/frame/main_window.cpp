@@ -177,6 +177,7 @@ void MainWindow::makeFeatures()
     f.recipes = new RecipesFeature(bench, *f.projects);
     f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench);
+    f.pictures = new PictureFeature(bench);
     f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());

@@ -51,8 +51,8 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     file->addActions({f.imports->actions().open, f.imports->actions().openWithChoices});
     file->addMenu(&f.projects->recentMenu());
     file->addSeparator();
-    file->addActions(
-        {f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(), f.recipes->exportAction()});
+    file->addActions({f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(),
+                      f.pictures->action(), f.recipes->exportAction()});
     file->addSeparator();
     file->addAction(f.projects->actions().recover);
     file->addSeparator();
