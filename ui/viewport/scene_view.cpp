@@ -165,6 +165,7 @@ void SceneView::setOptions(const SceneOptions& options)
 {
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
     const bool otherParts = options.hiddenParts != m_options.hiddenParts;
+    const bool isShadedAnew = options.shading != m_options.shading;
     const bool otherColors = options.colors != m_options.colors || otherParts;
     m_options = options;
     if (otherObjects)
@@ -178,6 +179,10 @@ void SceneView::setOptions(const SceneOptions& options)
     layGrid();
     if (otherColors)
         setSurfaceFields(m_fields);
+    if (isShadedAnew) {
+        colorBodies();
+        colorSurfaces();
+    }
     if (m_frame)
         showTools();
 }

@@ -6,6 +6,7 @@
 #include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
+#include "ui/viewport/skin_shading.h"
 
 #include <functional>
 #include <memory>
@@ -40,6 +41,7 @@ struct SceneOptions {
     bool original = false;    ///< the shape at rest, translucent
     bool breaks = false;      ///< marks where connections broke
     ColorOptions colors;
+    Shading shading = Shading::usual; ///< of skins whose colors tell no values
     SectionOptions section;
     /// Left of it the original shape is drawn, right of it that of now; 0 .. 1 of the width.
     std::optional<double> divider;

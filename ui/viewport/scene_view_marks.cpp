@@ -168,14 +168,16 @@ void SceneView::colorBodies()
         const bool isSelected = m_marks.selectedBody == b || isPart(m_marks.selected, b);
         const bool isHovered = isPart(m_marks.hovered, b);
         m_parts->skins[b]->setEdges(edgesOf(b, isSelected, isHovered), isHovered || isSelected ? 1.8F : 1.2F);
-        if (colorByValues(b)) {
+        const bool hasValues = colorByValues(b);
+        m_parts->skins[b]->setShading(hasValues ? Shading::usual : m_options.shading);
+        if (hasValues) {
             tintValues(b);
             continue;
         }
         const std::size_t part = m_bodies[b]->part;
         m_parts->skins[b]->setColors([&](std::uint32_t face) {
             const SceneMarks::Face mark{b, face};
-            Color color = m_appearance.faceColor(*m_model, part, face);
+            Color color = colorFor(m_options.shading, m_appearance.faceColor(*m_model, part, face));
             if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
                 color = mix(color, m_style.fixed, tint);
             if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
@@ -194,8 +196,10 @@ void SceneView::colorSurfaces()
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const std::size_t part = m_surfaces[s]->body->part;
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
-        m_parts->surfaces[s]->setColors(
-            [&](std::uint32_t face) { return m_appearance.faceColor(*m_model, part, face); });
+        m_parts->surfaces[s]->setShading(m_options.shading);
+        m_parts->surfaces[s]->setColors([&](std::uint32_t face) {
+            return colorFor(m_options.shading, m_appearance.faceColor(*m_model, part, face));
+        });
     }
 }
 
