@@ -167,6 +167,7 @@ OffscreenRenderer::OffscreenRenderer(SceneLook look, const QSize& size, Surface 
     m_scene->setOptions(m_look.options);
     m_scene->setMarks(m_look.marks);
     m_scene->setAppearance(m_look.looks);
+    m_scene->setMaterials(m_look.materials);
     vtkRendererCollection* renderers = m_room->window->GetRenderers();
     renderers->InitTraversal();
     while (vtkRenderer* renderer = renderers->GetNextItem())

@@ -94,7 +94,7 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->faceActor->SetMapper(m_parts->faceMapper);
     m_parts->edgeActor->SetMapper(m_parts->edgeMapper);
 
-    shadeFaces(*m_parts->faceActor, Shading::usual);
+    shadeFaces(*m_parts->faceActor, Shading::usual, MaterialLook::plain);
     m_parts->edgeActor->GetProperty()->LightingOff();
     renderer->AddActor(m_parts->faceActor);
     renderer->AddActor(m_parts->edgeActor);
@@ -203,9 +203,9 @@ void SkinActor::tint(double share, const std::function<std::optional<Color>(std:
     showColors();
 }
 
-void SkinActor::setShading(Shading shading)
+void SkinActor::setShading(Shading shading, MaterialLook look)
 {
-    shadeFaces(*m_parts->faceActor, shading);
+    shadeFaces(*m_parts->faceActor, shading, look);
 }
 
 void SkinActor::setOpacity(double opacity)

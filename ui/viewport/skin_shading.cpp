@@ -55,6 +55,24 @@ void setSurface(vtkProperty& surface, double ambient, double diffuse, double spe
     surface.SetSpecularPower(power);
 }
 
+void setUsual(vtkProperty& surface, MaterialLook look)
+{
+    switch (look) {
+    case MaterialLook::plain:
+        return setSurface(surface, 0.33, 0.74, 0.12, 24);
+    case MaterialLook::rubber:
+        return setSurface(surface, 0.33, 0.74, 0.05, 6);
+    case MaterialLook::clay:
+        return setSurface(surface, 0.33, 0.76, 0, 1);
+    case MaterialLook::wood:
+        return setSurface(surface, 0.33, 0.74, 0.07, 12);
+    case MaterialLook::plastic:
+        return setSurface(surface, 0.31, 0.74, 0.30, 50);
+    case MaterialLook::metal:
+        return setSurface(surface, 0.28, 0.70, 0.50, 70);
+    }
+}
+
 } // namespace
 
 Color colorFor(Shading shading, const Color& own)
@@ -64,10 +82,10 @@ Color colorFor(Shading shading, const Color& own)
     return shading == Shading::zebra ? Color{0.97F, 0.97F, 0.97F} : own;
 }
 
-void shadeFaces(vtkActor& faces, Shading shading)
+void shadeFaces(vtkActor& faces, Shading shading, MaterialLook look)
 {
     if (shading == Shading::usual)
-        setSurface(*faces.GetProperty(), 0.33, 0.74, 0.12, 24);
+        setUsual(*faces.GetProperty(), look);
     else if (shading == Shading::clay)
         setSurface(*faces.GetProperty(), 0.26, 0.80, 0.0, 1);
     else

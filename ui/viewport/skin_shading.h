@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/material_look.h"
 #include "ui/viewport/scene_style.h"
 
 class vtkActor;
@@ -8,7 +9,7 @@ namespace knead {
 
 /// How a skin answers light, where its colors do not tell values.
 enum class Shading {
-    usual,    ///< in the colors of the part
+    usual,    ///< in the colors of the part, dull or shining as its material is
     clay,     ///< all parts in one matt color, so that nothing but their shape is seen
     polished, ///< in the colors of the part, as polished metal in a studio
     zebra     ///< mirrors a room of black and white stripes, which show how smoothly faces go over into each other
@@ -18,6 +19,6 @@ enum class Shading {
 Color colorFor(Shading shading, const Color& own);
 
 /// Has faces drawn so. Costs nothing where they are already.
-void shadeFaces(vtkActor& faces, Shading shading);
+void shadeFaces(vtkActor& faces, Shading shading, MaterialLook look);
 
 } // namespace knead
