@@ -356,6 +356,7 @@ private slots:
 
     void theDialogOfPicturesRemembersWhatWasChosen()
     {
+        QSettings().remove("picture");
         for (int round = 0; round < 2; ++round) {
             action("savePicture")->trigger();
             QTRY_VERIFY(m_window->findChild<PictureDialog*>("pictureDialog") != nullptr);
