@@ -130,7 +130,7 @@ private slots:
 
     void shadingsShowTheShapeInTheirWays()
     {
-        openExample("handle.step");
+        openExample("grip.step");
         for (const char* name : {"edges", "grid"})
             action(name)->setChecked(false);
         QCOMPARE(view().options().shading, Shading::usual);
