@@ -20,7 +20,7 @@ namespace knead {
 namespace {
 
 constexpr double deepest = 0.5; // opacity of the darkest place
-constexpr double sunk =
+constexpr double sunkSteps =
     0.25; // below the ground, in steps of the shadow: what stands there hides it, and the grid lies on it
 
 /// Blended like glass, but drawn with what one cannot see through, as the lines of the grid are.
@@ -88,7 +88,7 @@ void GroundShadowActor::lay(const GroundShadow& shadow, double height)
         for (int x = 0; x < side; ++x) {
             const vtkIdType i = static_cast<vtkIdType>(y) * side + x;
             p.points->SetPoint(i, shadow.low.x() + shadow.step * x, shadow.low.y() + shadow.step * y,
-                               height - sunk * shadow.step);
+                               height - sunkSteps * shadow.step);
             unsigned char* color = p.colors->GetPointer(4 * i);
             color[0] = color[1] = color[2] = 0;
             color[3] = static_cast<unsigned char>(
