@@ -3,6 +3,8 @@
 #include "ui/language/said.h"
 #include "ui/round_number.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
