@@ -25,6 +25,8 @@ namespace {
 constexpr const char* quantityNames[surfaceQuantityCount] = {"displacement",  "strain",       "vonMisesStress",
                                                              "plasticStrain", "contactForce", "distance"};
 
+constexpr const char* shadingNames[] = {"usual", "clay", "polished", "zebra"}; // in the order of Shading
+
 QString settingOf(const QAction* action)
 {
     return "display/" + action->objectName();
@@ -48,6 +50,7 @@ Display::Display(const Workbench& bench)
     connectActions();
     makeColors();
     makeMaps();
+    makeShadings();
     makeCuts();
     makeMenu();
     sayWhyNot();
@@ -168,6 +171,23 @@ void Display::makeMaps()
     connect(m_automatic, &QAction::toggled, this, &Display::switchAutomatic);
 }
 
+void Display::makeShadings()
+{
+    m_shadings = makeGroup({{"shadingUsual", tr("Usual")},
+                            {"shadingClay", tr("Clay")},
+                            {"shadingPolished", tr("Polished")},
+                            {"shadingZebra", tr("Zebra")}},
+                           {});
+    const QString tips[] = {tr("Faces have the colors of the part, in soft light"),
+                            tr("All parts in one matt color: nothing but their shape is seen"),
+                            tr("Parts shine as polished metal does"),
+                            tr("Parts mirror stripes, which break where faces do not join smoothly")};
+    for (QAction* action : m_shadings->actions())
+        action->setToolTip(tips[action->data().toInt()]);
+    connect(m_shadings, &QActionGroup::triggered, this,
+            [this](const QAction* action) { setShading(static_cast<Shading>(action->data().toInt())); });
+}
+
 void Display::makeCuts()
 {
     m_axes = makeGroup({{"sectionX", tr("Section across X")},
@@ -184,7 +204,7 @@ void Display::makeCuts()
 void Display::sayWhyNot()
 {
     Availability& when = m_bench.availability;
-    when.needPart({m_edges, m_openEdges, m_grid});
+    when.needPart(QList{m_edges, m_openEdges, m_grid} + m_shadings->actions());
     when.needBodies(QList{m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_section, m_flip,
                           m_compare, m_hatched} +
                     m_colors->actions() + m_axes->actions());
@@ -218,6 +238,10 @@ void Display::makeMenu()
     colors->addActions(m_maps->actions());
     colors->addSeparator();
     colors->addAction(m_automatic);
+    QMenu* shadings = m_menu->addMenu(tr("Shading"));
+    shadings->setObjectName("shadingMenu");
+    shadings->setToolTipsVisible(true);
+    shadings->addActions(m_shadings->actions());
     m_menu->addSeparator();
     m_menu->addActions({m_section, m_flip});
     m_menu->addMenu(tr("Section"))->addActions(m_axes->actions() + QList{m_hatched});
@@ -241,6 +265,10 @@ void Display::restore()
     for (const ColorMapChoice& choice : colorMapChoices())
         if (settings.value("display/map", 0).toInt() == static_cast<int>(choice.map))
             options.colors.map = choice.map;
+    const QString shading = settings.value("display/shading").toString();
+    for (std::size_t i = 0; i < std::size(shadingNames); ++i)
+        if (shading == shadingNames[i])
+            options.shading = static_cast<Shading>(i);
     options.section.isHatched = settings.value("display/hatched", true).toBool();
     m_bench.viewport.setOptions(options);
 }
@@ -293,6 +321,14 @@ void Display::setMap(ColorMap map)
     SceneOptions options = m_bench.viewport.options();
     options.colors.map = map;
     QSettings().setValue("display/map", static_cast<int>(map));
+    m_bench.viewport.setOptions(options);
+}
+
+void Display::setShading(Shading shading)
+{
+    SceneOptions options = m_bench.viewport.options();
+    options.shading = shading;
+    QSettings().setValue("display/shading", shadingNames[static_cast<std::size_t>(shading)]);
     m_bench.viewport.setOptions(options);
 }
 
@@ -391,6 +427,7 @@ void Display::follow()
     for (QAction* action : m_maps->actions())
         if (colorMapChoices()[static_cast<std::size_t>(action->data().toInt())].map == options.colors.map)
             action->setChecked(true);
+    m_shadings->actions().at(static_cast<int>(options.shading))->setChecked(true);
     m_axes->actions().at(static_cast<int>(m_plane.axis))->setChecked(true);
     if (options.section.plane)
         m_plane.offset = (m_plane.isFlipped ? -1 : 1) * options.section.plane->offset;

@@ -30,6 +30,7 @@ public:
     QAction* section() const { return m_section; }
     QAction* flip() const { return m_flip; }
     QAction* compare() const { return m_compare; }
+    QActionGroup* shadings() const { return m_shadings; } ///< in the order of Shading
     QActionGroup* colors() const { return m_colors; }
     QAction* automaticRange() const { return m_automatic; } ///< of the colors
     QAction* hatched() const { return m_hatched; }          ///< the cut
@@ -43,6 +44,7 @@ public:
 
     void setQuantity(std::optional<SurfaceQuantity> quantity);
     void setMap(ColorMap map);
+    void setShading(Shading shading);
     /// @param range from, to in SI; none: as needed
     void setRange(const std::optional<std::pair<double, double>>& range);
 
@@ -70,6 +72,7 @@ private:
     void sayWhyNot();
     void makeColors();
     void makeMaps();
+    void makeShadings();
     void makeCuts();
     QActionGroup* makeGroup(const std::vector<std::pair<QByteArray, QString>>& names, const QString& tip);
     void makeMenu();
@@ -96,6 +99,7 @@ private:
     QAction* m_section = nullptr;
     QAction* m_flip = nullptr;
     QAction* m_compare = nullptr;
+    QActionGroup* m_shadings = nullptr;
     QActionGroup* m_colors = nullptr;
     QActionGroup* m_maps = nullptr; ///< in the order of colorMapChoices()
     QAction* m_automatic = nullptr;

@@ -506,6 +506,14 @@
         <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
         <translation>Weitere Teile zusammen mit den offenen als eine Baugruppe öffnen: Die Arbeit beginnt neu</translation>
     </message>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>B&amp;ild speichern...</translation>
+    </message>
+    <message>
+        <source>Write what the view shows as a picture of any size</source>
+        <translation>Was die Ansicht zeigt, als Bild beliebiger Größe schreiben</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -921,6 +929,42 @@
         <source>Color map: %1</source>
         <translation>Farbskala: %1</translation>
     </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Polished</source>
+        <translation>Poliert</translation>
+    </message>
+    <message>
+        <source>Zebra</source>
+        <translation>Zebra</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part, in soft light</source>
+        <translation>Flächen haben die Farben des Teils, in weichem Licht</translation>
+    </message>
+    <message>
+        <source>All parts in one matt color: nothing but their shape is seen</source>
+        <translation>Alle Teile in einer matten Farbe: man sieht nichts als ihre Form</translation>
+    </message>
+    <message>
+        <source>Parts shine as polished metal does</source>
+        <translation>Teile glänzen wie poliertes Metall</translation>
+    </message>
+    <message>
+        <source>Parts mirror stripes, which break where faces do not join smoothly</source>
+        <translation>Teile spiegeln Streifen, die brechen, wo Flächen nicht glatt ineinander übergehen</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -983,6 +1027,10 @@
     <message>
         <source>Drag the line in the view: the original on the left, now on the right.</source>
         <translation>Die Linie in der Ansicht ziehen: links das Original, rechts der jetzige Stand.</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
     </message>
 </context>
 <context>
@@ -4888,6 +4936,95 @@ Simuliert: %2, Schritt %3
     <message>
         <source>This part is a mesh without CAD faces: measure it with places instead.</source>
         <translation>Dieses Teil ist ein Netz ohne CAD-Flächen: es stattdessen mit Stellen messen.</translation>
+    </message>
+</context>
+<context>
+    <name>Picture</name>
+    <message>
+        <source>The picture cannot be written in this format (%1). Choose another one.</source>
+        <translation>Das Bild lässt sich in diesem Format nicht schreiben (%1). Ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written in %1 (%2). Free some room, or choose another place.</source>
+        <translation>Das Bild lässt sich in %1 nicht schreiben (%2). Platz schaffen oder einen anderen Ort wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureDialog</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG, exact</source>
+        <translation>PNG, genau</translation>
+    </message>
+    <message>
+        <source>JPEG, small</source>
+        <translation>JPEG, klein</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>With grid and shadow</source>
+        <translation>Mit Raster und Schatten</translation>
+    </message>
+    <message>
+        <source>With the view cube</source>
+        <translation>Mit Ansichtswürfel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Choose a place...</source>
+        <translation>Ort wählen...</translation>
+    </message>
+    <message>
+        <source>%1, as the view</source>
+        <translation>%1, wie die Ansicht</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Only PNG files can have a transparent background.</source>
+        <translation>Nur PNG-Dateien können einen durchsichtigen Hintergrund haben.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureFeature</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>writing the picture</source>
+        <translation>Bild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>%1 wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: picture saved.</source>
+        <translation>%1: Bild gespeichert.</translation>
     </message>
 </context>
 <context>

@@ -506,6 +506,14 @@
         <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
         <translation>Ouvrir d&apos;autres pièces avec celles qui sont ouvertes, en un assemblage&#xa0;: le travail recommence</translation>
     </message>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>Enregistrer une &amp;image...</translation>
+    </message>
+    <message>
+        <source>Write what the view shows as a picture of any size</source>
+        <translation>Écrire ce que la vue montre comme image de n&apos;importe quelle taille</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -921,6 +929,42 @@
         <source>Color map: %1</source>
         <translation>Échelle de couleurs : %1</translation>
     </message>
+    <message>
+        <source>Usual</source>
+        <translation>Habituel</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Argile</translation>
+    </message>
+    <message>
+        <source>Polished</source>
+        <translation>Poli</translation>
+    </message>
+    <message>
+        <source>Zebra</source>
+        <translation>Zèbre</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part, in soft light</source>
+        <translation>Les faces ont les couleurs de la pièce, en lumière douce</translation>
+    </message>
+    <message>
+        <source>All parts in one matt color: nothing but their shape is seen</source>
+        <translation>Toutes les pièces en une couleur mate : on ne voit que leur forme</translation>
+    </message>
+    <message>
+        <source>Parts shine as polished metal does</source>
+        <translation>Les pièces brillent comme du métal poli</translation>
+    </message>
+    <message>
+        <source>Parts mirror stripes, which break where faces do not join smoothly</source>
+        <translation>Les pièces reflètent des bandes, qui se brisent là où les faces ne se raccordent pas en douceur</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Ombrage</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -983,6 +1027,10 @@
     <message>
         <source>Drag the line in the view: the original on the left, now on the right.</source>
         <translation>Tirez la ligne dans la vue&#xa0;: l&apos;original à gauche, l&apos;état actuel à droite.</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Ombrage</translation>
     </message>
 </context>
 <context>
@@ -4888,6 +4936,95 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>This part is a mesh without CAD faces: measure it with places instead.</source>
         <translation>Cette pièce est un maillage sans faces de CAO&#xa0;: mesurez-la plutôt avec des points.</translation>
+    </message>
+</context>
+<context>
+    <name>Picture</name>
+    <message>
+        <source>The picture cannot be written in this format (%1). Choose another one.</source>
+        <translation>L&apos;image ne peut pas être écrite dans ce format (%1). Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written in %1 (%2). Free some room, or choose another place.</source>
+        <translation>L&apos;image ne peut pas être écrite dans %1 (%2). Libérez de la place ou choisissez un autre endroit.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureDialog</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Enregistrer une image</translation>
+    </message>
+    <message>
+        <source>PNG, exact</source>
+        <translation>PNG, exacte</translation>
+    </message>
+    <message>
+        <source>JPEG, small</source>
+        <translation>JPEG, petite</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fond transparent</translation>
+    </message>
+    <message>
+        <source>With grid and shadow</source>
+        <translation>Avec grille et ombre</translation>
+    </message>
+    <message>
+        <source>With the view cube</source>
+        <translation>Avec le cube de vue</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Choose a place...</source>
+        <translation>Choisir un endroit...</translation>
+    </message>
+    <message>
+        <source>%1, as the view</source>
+        <translation>%1, comme la vue</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Only PNG files can have a transparent background.</source>
+        <translation>Seuls les fichiers PNG peuvent avoir un fond transparent.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureFeature</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>writing the picture</source>
+        <translation>écriture de l&apos;image</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>Dessin de %1</translation>
+    </message>
+    <message>
+        <source>%1: picture saved.</source>
+        <translation>%1 : image enregistrée.</translation>
     </message>
 </context>
 <context>

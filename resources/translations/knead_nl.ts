@@ -506,6 +506,14 @@
         <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
         <translation>Meer onderdelen samen met de geopende als één samenstelling openen: het werk begint opnieuw</translation>
     </message>
+    <message>
+        <source>Save &amp;picture...</source>
+        <translation>Af&amp;beelding opslaan...</translation>
+    </message>
+    <message>
+        <source>Write what the view shows as a picture of any size</source>
+        <translation>Wat het aanzicht toont als afbeelding van elke grootte schrijven</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -921,6 +929,42 @@
         <source>Color map: %1</source>
         <translation>Kleurschaal: %1</translation>
     </message>
+    <message>
+        <source>Usual</source>
+        <translation>Gewoon</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Klei</translation>
+    </message>
+    <message>
+        <source>Polished</source>
+        <translation>Gepolijst</translation>
+    </message>
+    <message>
+        <source>Zebra</source>
+        <translation>Zebra</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part, in soft light</source>
+        <translation>Vlakken hebben de kleuren van het onderdeel, in zacht licht</translation>
+    </message>
+    <message>
+        <source>All parts in one matt color: nothing but their shape is seen</source>
+        <translation>Alle onderdelen in één matte kleur: alleen hun vorm is te zien</translation>
+    </message>
+    <message>
+        <source>Parts shine as polished metal does</source>
+        <translation>Onderdelen glanzen als gepolijst metaal</translation>
+    </message>
+    <message>
+        <source>Parts mirror stripes, which break where faces do not join smoothly</source>
+        <translation>Onderdelen spiegelen strepen, die breken waar vlakken niet vloeiend op elkaar aansluiten</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schaduwering</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -983,6 +1027,10 @@
     <message>
         <source>Drag the line in the view: the original on the left, now on the right.</source>
         <translation>Sleep de lijn in het aanzicht: links het origineel, rechts nu.</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schaduwering</translation>
     </message>
 </context>
 <context>
@@ -4888,6 +4936,95 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>This part is a mesh without CAD faces: measure it with places instead.</source>
         <translation>Dit onderdeel is een net zonder CAD-vlakken: meet het in plaats daarvan met punten.</translation>
+    </message>
+</context>
+<context>
+    <name>Picture</name>
+    <message>
+        <source>The picture cannot be written in this format (%1). Choose another one.</source>
+        <translation>De afbeelding kan niet in dit formaat worden geschreven (%1). Kies een ander.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written in %1 (%2). Free some room, or choose another place.</source>
+        <translation>De afbeelding kan niet in %1 worden geschreven (%2). Maak ruimte vrij of kies een andere plaats.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureDialog</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Afbeelding opslaan</translation>
+    </message>
+    <message>
+        <source>PNG, exact</source>
+        <translation>PNG, exact</translation>
+    </message>
+    <message>
+        <source>JPEG, small</source>
+        <translation>JPEG, klein</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Doorzichtige achtergrond</translation>
+    </message>
+    <message>
+        <source>With grid and shadow</source>
+        <translation>Met raster en schaduw</translation>
+    </message>
+    <message>
+        <source>With the view cube</source>
+        <translation>Met de aanzichtkubus</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formaat</translation>
+    </message>
+    <message>
+        <source>Choose a place...</source>
+        <translation>Een plaats kiezen...</translation>
+    </message>
+    <message>
+        <source>%1, as the view</source>
+        <translation>%1, zoals het aanzicht</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hoogte</translation>
+    </message>
+    <message>
+        <source>Only PNG files can have a transparent background.</source>
+        <translation>Alleen PNG-bestanden kunnen een doorzichtige achtergrond hebben.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureFeature</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>Afbeelding opslaan</translation>
+    </message>
+    <message>
+        <source>writing the picture</source>
+        <translation>afbeelding wordt geschreven</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>%1 wordt getekend</translation>
+    </message>
+    <message>
+        <source>%1: picture saved.</source>
+        <translation>%1: afbeelding opgeslagen.</translation>
     </message>
 </context>
 <context>

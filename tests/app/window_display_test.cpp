@@ -158,6 +158,42 @@ private slots:
         QTRY_COMPARE(view().scale()->least, 0.0);
     }
 
+    void shadingsShowTheShapeInTheirWays()
+    {
+        openExample("grip.step");
+        for (const char* name : {"edges", "grid"})
+            action(name)->setChecked(false);
+        QCOMPARE(view().options().shading, Shading::usual);
+        const QImage usual = shot();
+        std::vector<QImage> seen;
+        const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
+        for (const char* name : {"shadingUsual", "shadingClay", "shadingPolished", "shadingZebra"}) {
+            action(name)->trigger();
+            QCOMPARE(static_cast<std::size_t>(view().options().shading), seen.size());
+            seen.push_back(shot());
+            if (!folder.isEmpty())
+                seen.back().save(QStringLiteral("%1/%2.png").arg(folder, name));
+        }
+        QCOMPARE(seen[0], usual);
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(shareOfOthers(seen[i], seen[j]) > 0.01);
+        QVERIFY(mostStripes(seen[3]) >= 6);
+        QVERIFY(mostStripes(seen[3]) > 2 * mostStripes(usual));
+        QCOMPARE(QSettings().value("display/shading").toString(), QString("zebra"));
+        QCOMPARE(find<QComboBox>("shading")->currentText(), QString("Zebra"));
+
+        choose("colorQuantity", "Displacement"); // numbers keep their colors
+        QTRY_VERIFY(view().scale());
+        const QImage values = shot();
+        choose("shading", "Usual");
+        QCOMPARE(view().options().shading, Shading::usual);
+        QCOMPARE(shot(), values);
+        choose("colorQuantity", "Part colors");
+        QTRY_VERIFY(!view().scale());
+        QCOMPARE(shot(), usual);
+    }
+
     void contactForceShowsWhereTheFloorPresses()
     {
         openExample("bar.step");
@@ -497,6 +533,39 @@ private:
     ColorLegend* legend() { return find<ColorLegend>("colorLegend"); }
 
     /// What is drawn now, without what lies over it.
+    /// Share of pixels that differ visibly.
+    static double shareOfOthers(const QImage& a, const QImage& b)
+    {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x) {
+                const QColor one = a.pixelColor(x, y);
+                const QColor other = b.pixelColor(x, y);
+                const int difference = std::abs(one.red() - other.red()) + std::abs(one.green() - other.green()) +
+                                       std::abs(one.blue() - other.blue());
+                count += difference > 24 ? 1 : 0;
+            }
+        return static_cast<double>(count) / a.width() / a.height();
+    }
+
+    /// How often a column of pixels goes from black to white or back, where most do, left of the cube.
+    static int mostStripes(const QImage& image)
+    {
+        int most = 0;
+        for (int x = 0; x < image.width() * 4 / 5; ++x) {
+            int changes = 0;
+            int last = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                const int gray = qGray(image.pixel(x, y));
+                const int now = gray < 70 ? -1 : (gray > 165 ? 1 : last);
+                changes += last != 0 && now != last ? 1 : 0;
+                last = now;
+            }
+            most = std::max(most, changes);
+        }
+        return most;
+    }
+
     QImage shot()
     {
         drawn();

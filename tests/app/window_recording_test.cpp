@@ -1,14 +1,17 @@
 #include "support/full_disk.h"
 #include "support/window_on_test.h"
+#include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/run_window.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QScopedValueRollback>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QtEndian>
 #include <QtTest>
@@ -97,6 +100,14 @@ class WindowRecordingTest : public QObject, WindowOnTest {
     Recording shortOne(Recording::Kind kind)
     {
         return {.kind = kind, .from = 0, .to = 0.4, .rate = 10, .size = {320, 240}, .hasReadings = false};
+    }
+
+    /// Of the view, written and read again.
+    QImage pictureOf(const Picture& picture, const char* name = "view.png")
+    {
+        m_window->features().pictures->save(path(name), picture);
+        wait();
+        return QImage(path(name));
     }
 
     void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience); }
@@ -278,6 +289,105 @@ private slots:
         m_window->features().recording->record(path("fall"), shortOne(Recording::Kind::pictures));
         wait();
         QCOMPARE(names(), QStringList("fall"));
+    }
+
+    void aPictureShowsWhatTheViewShows()
+    {
+        Picture picture;
+        picture.size = m_window->viewport().size() * m_window->viewport().devicePixelRatioF();
+        picture.hasCube = true;
+        const QImage drawn = pictureOf(picture);
+        const QImage seen = m_window->viewport().grabFramebuffer();
+        QCOMPARE(drawn.size(), seen.size());
+        QVERIFY(difference(drawn, seen) < 0.02); // with the cube, too
+        QVERIFY(difference(drawn.mirrored(), seen) > 0.05);
+        picture.hasCube = false;
+        const QImage bare = pictureOf(picture);
+        const QRect corner(drawn.width() - 112, 0, 112, 112);
+        QVERIFY(difference(drawn.copy(corner), bare.copy(corner)) > 0.1);
+        picture.hasGround = false;
+        QVERIFY(difference(bare, pictureOf(picture)) > 0.002);
+        picture.size = {3000, 100};
+        QCOMPARE(pictureOf(picture, "wide.jpg").size(), picture.size);
+        QFile wide(path("wide.jpg"));
+        QVERIFY(wide.open(QIODevice::ReadOnly) && wide.read(2) == "\xff\xd8"); // the ending decides
+        QCOMPARE(names(), (QStringList{"view.png", "wide.jpg"}));
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    }
+
+    void aPictureWithoutBackgroundIsClearBesideThePart()
+    {
+        Picture picture;
+        picture.size = {640, 480};
+        picture.hasGround = false;
+        const QImage usual = pictureOf(picture);
+        QVERIFY(!usual.hasAlphaChannel());
+        picture.isClear = true;
+        const QImage clear = pictureOf(picture);
+        QVERIFY(clear.hasAlphaChannel());
+        QCOMPARE(qAlpha(clear.pixel(2, 2)), 0);
+        QCOMPARE(qAlpha(clear.pixel(637, 477)), 0);
+        int solid = 0;
+        int between = 0;
+        for (int y = 0; y < clear.height(); ++y)
+            for (int x = 0; x < clear.width(); ++x) {
+                const int opacity = qAlpha(clear.pixel(x, y));
+                solid += opacity == 255 ? 1 : 0;
+                between += opacity > 0 && opacity < 255 ? 1 : 0;
+                if (opacity == 255)
+                    QVERIFY(std::abs(qGray(clear.pixel(x, y)) - qGray(usual.pixel(x, y))) < 3);
+            }
+        QVERIFY(solid > 5000);                        // the bar
+        QVERIFY(between > 20 && between < solid / 4); // its rim alone
+        picture.kind = Picture::Kind::jpeg;
+        QVERIFY(!pictureOf(picture, "view.jpg").hasAlphaChannel());
+    }
+
+    void aPictureThatCannotBeWrittenSaysSo()
+    {
+        pictureOf({.size = {64, 64}}, "nowhere/view.png");
+        QVERIFY(m_window->banner().sentence().startsWith("view.png: the file cannot be written"));
+        m_window->banner().hide();
+        pictureOf({.size = {40'000, 16}}, "large.png");
+        QVERIFY(m_window->banner().sentence().contains("draws no pictures of this size"));
+        m_window->banner().hide();
+        QCOMPARE(names(), QStringList());
+    }
+
+    void theDialogOfPicturesRemembersWhatWasChosen()
+    {
+        QSettings().remove("picture");
+        for (int round = 0; round < 2; ++round) {
+            action("savePicture")->trigger();
+            QTRY_VERIFY(m_window->findChild<PictureDialog*>("pictureDialog") != nullptr);
+            QPointer<PictureDialog> dialog = m_window->findChild<PictureDialog*>("pictureDialog");
+            if (round == 0) {
+                QCOMPARE(dialog->picture().size,
+                         m_window->viewport().size() * m_window->viewport().devicePixelRatioF());
+                find<QComboBox>("pictureSize")->setCurrentText("3840 × 2160");
+                QCOMPARE(dialog->picture().size, QSize(3840, 2160));
+                QVERIFY(!find<QSpinBox>("pictureWidth")->isEnabled());
+                find<QComboBox>("pictureSize")->setCurrentText("Other");
+                QVERIFY(find<QSpinBox>("pictureWidth")->isEnabled());
+                QCOMPARE(find<QSpinBox>("pictureWidth")->maximum(), 8192);
+                find<QSpinBox>("pictureWidth")->setValue(1234);
+                find<QSpinBox>("pictureHeight")->setValue(567);
+                find<QCheckBox>("pictureClear")->setChecked(true);
+                find<QComboBox>("pictureKind")->setCurrentIndex(1); // JPEG knows no opacity
+                QVERIFY(!find<QCheckBox>("pictureClear")->isEnabled() && !dialog->picture().isClear);
+                find<QComboBox>("pictureKind")->setCurrentIndex(0);
+                dialog->accept();
+                QTRY_VERIFY(m_window->findChild<QDialog*>("pictureFileDialog") != nullptr);
+                QPointer<QDialog> place = m_window->findChild<QDialog*>("pictureFileDialog");
+                place->reject();
+                QTRY_VERIFY(!place);
+            } else {
+                QCOMPARE(dialog->picture().size, QSize(1234, 567));
+                QVERIFY(dialog->picture().isClear && dialog->picture().hasGround && !dialog->picture().hasCube);
+                dialog->reject();
+            }
+            QTRY_VERIFY(!dialog);
+        }
     }
 
     void theDialogSaysWhatThereWillBe()

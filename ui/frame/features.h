@@ -10,6 +10,7 @@
 #include "ui/probes/probes_feature.h"
 #include "ui/project/projects_feature.h"
 #include "ui/project/recipes_feature.h"
+#include "ui/recording/picture_feature.h"
 #include "ui/recording/recording_feature.h"
 #include "ui/selection/selection_feature.h"
 #include "ui/simulation/simulation_feature.h"
@@ -23,6 +24,7 @@ struct Features {
     RecipesFeature* recipes = nullptr;
     ImportFeature* imports = nullptr;
     ExportFeature* exports = nullptr;
+    PictureFeature* pictures = nullptr;
     ViewsFeature* views = nullptr;
     SelectionFeature* selection = nullptr;
     SimulationFeature* simulation = nullptr;

@@ -187,6 +187,7 @@ void MainWindow::makeFeatures()
     f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench);
     connect(f.recipes, &RecipesFeature::exportWanted, f.exports->action(), &QAction::trigger);
+    f.pictures = new PictureFeature(bench);
     f.simulation = new SimulationFeature(bench, m_status->readings(), *f.imports);
     f.measuring = new MeasuringFeature(bench, *m_modes);
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());

@@ -59,8 +59,8 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     file->addMenu(&f.projects->examplesMenu());
     file->addActions({in.addPart, a.firstPage});
     file->addSeparator();
-    file->addActions(
-        {f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(), f.recipes->exportAction()});
+    file->addActions({f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(),
+                      f.pictures->action(), f.recipes->exportAction()});
     file->addSeparator();
     file->addAction(f.projects->actions().recover);
     file->addSeparator();

@@ -17,9 +17,9 @@ namespace knead {
 
 namespace {
 
-constexpr double thumbShare = 0.2;  // diameter of a new thumb, in sizes of the part
-constexpr double thumbSpacings = 3; // at least
-constexpr double crossingTime = 3;  // a thumb would cross the part in this time [s]
+constexpr double thumbShare = 0.2;      // diameter of a new thumb, in sizes of the part
+constexpr double thumbSpacings = 3;     // at least
+constexpr double thumbCrossingTime = 3; // a thumb would cross the part in this time [s]
 constexpr double thumbFriction = 0.3;
 constexpr double normalShare = 0.35; // the surface's normal is its mean within this share of the tool's size
 constexpr double gapShare = 0.25;    // between tool and surface before it is pressed and after, in spacings
@@ -151,7 +151,7 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
         thumb.kind = ToolKind::ball;
         thumb.size = Vec3::Constant(std::max(thumbShare * m_document.size(), thumbSpacings * spacing));
         thumb.friction = thumbFriction;
-        thumb.speedLimit = typedNumber(m_document.size() / crossingTime);
+        thumb.speedLimit = typedNumber(m_document.size() / thumbCrossingTime);
         thumb.forceLimit = press.limit = rounded(thumbForce(now.materials[hit.id], 0.5 * thumb.size.x()));
         press.poses = posesOf(thumb.shape(), thumb.pose.rotation);
         press.isNew = true;

@@ -30,6 +30,7 @@ constexpr double least = 1e-6;    // difference between its ends, in sizes of th
 DisplayPanel::DisplayPanel(Display& display, QWidget* parent)
     : QWidget(parent)
     , m_display(display)
+    , m_shading(makeChoice("shading", this))
     , m_quantity(makeChoice("colorQuantity", this))
     , m_map(makeChoice("colorMap", this))
     , m_isAutomatic(boxFor(display.automaticRange(), this))
@@ -56,6 +57,13 @@ void DisplayPanel::addSwitches(QFormLayout* form)
     form->addRow(makeHeading(tr("Show"), this));
     for (QAction* action : m_display.shown())
         form->addRow(boxFor(action, this));
+    for (const QAction* action : m_display.shadings()->actions()) {
+        m_shading->addItem(action->text(), action->data());
+        m_shading->setItemData(m_shading->count() - 1, action->toolTip(), Qt::ToolTipRole);
+    }
+    form->addRow(tr("Shading"), m_shading);
+    connect(m_shading, &QComboBox::activated, this,
+            [this](int index) { m_display.setShading(static_cast<Shading>(m_shading->itemData(index).toInt())); });
 }
 
 void DisplayPanel::addColors(QFormLayout* form)
@@ -140,6 +148,8 @@ void DisplayPanel::chooseRange()
 void DisplayPanel::bringUpToDate()
 {
     const SceneOptions& options = m_display.view().options();
+    m_shading->setCurrentIndex(m_shading->findData(static_cast<int>(options.shading)));
+    m_shading->setEnabled(m_display.shadings()->actions().front()->isEnabled());
     showColors(options);
     showSection(options);
 }

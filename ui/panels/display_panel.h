@@ -34,6 +34,7 @@ private:
     void showSection(const SceneOptions& options);
 
     Display& m_display;
+    QComboBox* m_shading;
     QComboBox* m_quantity;
     QComboBox* m_map;
     QCheckBox* m_isAutomatic;

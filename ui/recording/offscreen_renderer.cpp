@@ -4,6 +4,7 @@
 #include "ui/recording/sentence.h"
 #include "ui/units.h"
 #include "ui/viewport/color_legend.h"
+#include "ui/viewport/view_cube.h"
 #include "ui/viewport/viewport_bridge.h"
 
 #include <vtkCallbackCommand.h>
@@ -22,6 +23,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -31,11 +33,42 @@ namespace {
 
 constexpr double textShare = 1.0 / 45; // height of text in heights of the picture
 constexpr double shownForce = 1e-6;    // [N]
+constexpr double dpi = 72;             // at which a line of one pixel is one pixel wide
 
 [[noreturn]] void failForSize()
 {
     failWith(QCoreApplication::translate("OffscreenRenderer",
                                          "The graphics card draws no pictures of this size. Choose a smaller one."));
+}
+
+/// As many per pixel as memory allows; a large picture is looked at from afar, where fewer do.
+int samplesFor(const QSize& size)
+{
+    constexpr double room = 1 << 30; // [bytes]
+    constexpr double sample = 8;     // color and depth [bytes]
+    const double pixels = static_cast<double>(size.width()) * size.height();
+    int samples = 8;
+    while (samples > 2 && samples * sample * pixels > room)
+        samples /= 2;
+    return samples;
+}
+
+/// What is drawn alike on black and on white is opaque; what lets all of the difference through is not there.
+QImage withoutGround(const QImage& onBlack, const QImage& onWhite)
+{
+    QImage result(onBlack.size(), QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < result.height(); ++y) {
+        const uchar* black = onBlack.constScanLine(y);
+        const uchar* white = onWhite.constScanLine(y);
+        auto* out = reinterpret_cast<QRgb*>(result.scanLine(y));
+        for (int x = 0; x < result.width(); ++x, black += 3, white += 3) {
+            const int through = std::max({white[0] - black[0], white[1] - black[1], white[2] - black[2], 0});
+            const int opacity = 255 - through;
+            out[x] = qRgba(std::min<int>(black[0], opacity), std::min<int>(black[1], opacity),
+                           std::min<int>(black[2], opacity), opacity);
+        }
+    }
+    return result;
 }
 
 void drawText(QPainter& painter, const QPointF& topLeft, const QString& text)
@@ -73,7 +106,7 @@ struct OffscreenRenderer::Room {
         window->AddObserver(vtkCommand::WindowMakeCurrentEvent, observer);
         window->AddObserver(vtkCommand::WindowIsCurrentEvent, observer);
         window->SetFrameBlitModeToNoBlit();
-        window->SetMultiSamples(8);
+        window->SetMultiSamples(samplesFor(size));
         window->SetSize(size.width(), size.height());
         window->SetReadyForRendering(true);
         window->SetOwnContext(0);
@@ -134,6 +167,7 @@ OffscreenRenderer::OffscreenRenderer(SceneLook look, const QSize& size, Surface 
     m_scene->setOptions(m_look.options);
     m_scene->setMarks(m_look.marks);
     m_scene->setAppearance(m_look.looks);
+    m_scene->setMaterials(m_look.materials);
     vtkRendererCollection* renderers = m_room->window->GetRenderers();
     renderers->InitTraversal();
     while (vtkRenderer* renderer = renderers->GetNextItem())
@@ -149,20 +183,62 @@ OffscreenRenderer::~OffscreenRenderer()
 
 QImage OffscreenRenderer::draw(const FramePointer& frame, std::optional<double> at)
 {
+    show(frame);
+    QImage picture = shot();
+    m_room->context.doneCurrent();
+    drawLegend(picture);
+    if (at)
+        writeReadings(picture, *at);
+    return picture;
+}
+
+/// From two pictures, since what the card keeps of opacity differs where things are drawn over each other.
+QImage OffscreenRenderer::drawClear(const FramePointer& frame)
+{
+    show(frame);
+    vtkRenderer* scene = m_room->window->GetRenderers()->GetFirstRenderer(); // that of layer 0
+    const auto on = [&](double level) {
+        scene->SetBackground(level, level, level);
+        return shot();
+    };
+    scene->GradientBackgroundOff();
+    const QImage onBlack = on(0);
+    QImage picture = withoutGround(onBlack, on(1));
+    scene->GradientBackgroundOn();
+    scene->SetBackground(m_look.style.bottom.r, m_look.style.bottom.g, m_look.style.bottom.b);
+    m_room->context.doneCurrent();
+    drawLegend(picture);
+    return picture;
+}
+
+void OffscreenRenderer::setScale(double scale)
+{
+    m_room->window->SetDPI(static_cast<int>(std::lround(dpi * scale)));
+    m_scene->cube().setWindow({m_size.width() / scale, m_size.height() / scale});
+}
+
+void OffscreenRenderer::showCube(bool on)
+{
+    m_scene->cube().setDrawn(on);
+}
+
+/// The context stays current.
+void OffscreenRenderer::show(const FramePointer& frame)
+{
     const SurfaceFieldsRequest request = requestOf(m_look.options);
     m_room->context.makeCurrent(m_room->surface.get());
     m_scene->showFrame(frame);
     m_scene->setSurfaceFields(request.isEmpty() ? nullptr : m_sights.make(frame, request));
     m_scene->setCamera(m_look.camera);
+}
+
+QImage OffscreenRenderer::shot()
+{
     m_room->isWell();
     m_room->window->Render();
     QImage picture = pixels();
     if (!m_room->isWell())
         failForSize();
-    m_room->context.doneCurrent();
-    drawLegend(picture);
-    if (at)
-        writeReadings(picture, *at);
     return picture;
 }
 

@@ -29,12 +29,23 @@ public:
     OffscreenRenderer(const OffscreenRenderer&) = delete;
     OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
+    /// Lines become wider and the cube larger with the picture. @param scale its pixels per logical pixel of the view
+    void setScale(double scale);
+    void showCube(bool on); ///< off before; has its place by setScale()
+
     /// @param at written into the picture with the forces on tools [s]; none: neither
     /// @throws std::runtime_error with a sentence, when the graphics card gives no picture of this size
     QImage draw(const FramePointer& frame, std::optional<double> at);
 
+    /// The same without the background, and without what is written into the picture but the legend.
+    /// @return its colors are multiplied by its opacity
+    /// @throws as draw()
+    QImage drawClear(const FramePointer& frame);
+
 private:
     struct Room;
+    void show(const FramePointer& frame);
+    QImage shot();
     QImage pixels() const;
     void writeReadings(QImage& picture, double at) const;
     void drawLegend(QImage& picture) const;

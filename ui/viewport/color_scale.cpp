@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

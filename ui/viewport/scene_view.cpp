@@ -75,6 +75,8 @@ void SceneView::setModel(const FilledModel& content)
     m_marks = {};
     m_fields = nullptr;
     m_scale.reset();
+    m_materialLooks.clear();
+    m_shown = m_appearance;
     m_parts->fields->setModel(content);
     m_parts->skins.clear();
     m_parts->surfaces.clear();
@@ -165,6 +167,7 @@ void SceneView::setOptions(const SceneOptions& options)
 {
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
     const bool otherParts = options.hiddenParts != m_options.hiddenParts;
+    const bool isShadedAnew = options.shading != m_options.shading;
     const bool otherColors = options.colors != m_options.colors || otherParts;
     m_options = options;
     if (otherObjects)
@@ -178,6 +181,10 @@ void SceneView::setOptions(const SceneOptions& options)
     layGrid();
     if (otherColors)
         setSurfaceFields(m_fields);
+    if (isShadedAnew) {
+        colorBodies();
+        colorSurfaces();
+    }
     if (m_frame)
         showTools();
 }
@@ -190,12 +197,7 @@ bool SceneView::isGlass() const
 void SceneView::setAppearance(const PartAppearance& looks)
 {
     m_appearance = looks;
-    m_parts->fields->setAppearance(looks);
-    m_parts->objects.clear();
-    colorBodies();
-    colorRegions();
-    colorSurfaces();
-    showObjects();
+    dress();
 }
 
 void SceneView::showBodies()
@@ -225,7 +227,7 @@ void SceneView::showObjects()
     if (m_parts->objects.empty())
         for (const auto& body : m_bodies)
             m_parts->objects.push_back(std::make_unique<ObjectActor>(m_parts->renderer,
-                                                                     m_appearance.partColor(*m_model, body->part),
+                                                                     m_shown.partColor(*m_model, body->part),
                                                                      objectRadius * body->aggregate->lattice.spacing));
     for (const auto& objects : m_parts->objects)
         objects->setClipping(m_parts->fields->clipping());

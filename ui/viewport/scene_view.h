@@ -1,16 +1,19 @@
 #pragma once
 
 #include "core/session/frame.h"
+#include "core/session/material_look.h"
 #include "core/session/part_appearance.h"
 #include "core/session/region.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
+#include "ui/viewport/skin_shading.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,7 @@ struct SceneOptions {
     bool original = false;    ///< the shape at rest, translucent
     bool breaks = false;      ///< marks where connections broke
     ColorOptions colors;
+    Shading shading = Shading::usual; ///< of skins whose colors tell no values
     SectionOptions section;
     /// Left of it the original shape is drawn, right of it that of now; 0 .. 1 of the width.
     std::optional<double> divider;
@@ -76,6 +80,7 @@ struct SceneLook {
     SceneStyle style;
     Camera camera;
     PartAppearance looks = {};
+    std::vector<Material> materials = {}; ///< per body
 };
 
 /// A number that belongs beside a place in the scene.
@@ -102,6 +107,9 @@ public:
     /// What was found out about the frame that is shown, or one shortly before. Null: nothing.
     void setSurfaceFields(const SurfaceFieldsPointer& fields);
     void setAppearance(const PartAppearance& looks);
+    /// Of bodies: they shine as these do, and parts without a color of their own get one of them. After setModel().
+    /// @return whether anything looks otherwise
+    bool setMaterials(std::span<const Material> materials);
     void setCamera(const Camera& camera);
     ViewCube& cube();
 
@@ -114,6 +122,8 @@ private:
     struct Parts;
 
     void addLights();
+    void dress();
+    MaterialLook lookOfBody(BodyId body) const;
     void colorBodies();
     void colorSurfaces();
     bool colorByValues(BodyId body);
@@ -148,6 +158,8 @@ private:
     SurfaceFieldsPointer m_fields;
     std::optional<ColorScale> m_scale;
     PartAppearance m_appearance;
+    std::vector<MaterialLook> m_materialLooks; ///< per body; none are known at first
+    PartAppearance m_shown;                    ///< m_appearance, with colors by material where there are no others
     Camera m_camera;
     double m_gridHeight = 0;
     bool m_isShadowNew = true; ///< something that casts it is not as it was

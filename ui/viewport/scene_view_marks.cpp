@@ -2,6 +2,8 @@
 #include "ui/viewport/scene_view_parts.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace knead {
 
@@ -123,9 +125,8 @@ Color SceneView::markOn(const Region& region, const Color& usual, const Color& o
     const auto& [body, faces] = *region.items.begin();
     if (body >= m_bodies.size())
         return usual;
-    return standingOut(
-        m_appearance.faceColor(*m_model, m_bodies[body]->part, static_cast<std::uint32_t>(faces.front())), usual,
-        other);
+    return standingOut(m_shown.faceColor(*m_model, m_bodies[body]->part, static_cast<std::uint32_t>(faces.front())),
+                       usual, other);
 }
 
 /// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
@@ -158,8 +159,42 @@ Color SceneView::edgesOf(BodyId body, bool isSelected, bool isHovered) const
     const Color& usual = isHovered ? m_style.highlight : m_style.selectedEdge;
     if (m_scale)
         return usual;
-    return standingOut(m_appearance.partColor(*m_model, m_bodies[body]->part), usual,
+    return standingOut(m_shown.partColor(*m_model, m_bodies[body]->part), usual,
                        isHovered ? m_style.highlightOther : m_style.selectedOther);
+}
+
+bool SceneView::setMaterials(std::span<const Material> materials)
+{
+    std::vector<MaterialLook> looks;
+    std::transform(materials.begin(), materials.end(), std::back_inserter(looks), materialLook);
+    if (!m_model || looks == m_materialLooks)
+        return false;
+    m_materialLooks = std::move(looks);
+    dress();
+    return true;
+}
+
+MaterialLook SceneView::lookOfBody(BodyId body) const
+{
+    return body < m_materialLooks.size() ? m_materialLooks[body] : MaterialLook::plain;
+}
+
+/// The first body of a part gives it a color, where it has none of its own.
+void SceneView::dress()
+{
+    m_shown = m_appearance;
+    for (BodyId b = 0; b < m_bodies.size(); ++b) {
+        const std::size_t part = m_bodies[b]->part;
+        const std::optional<Color> color = usualColor(lookOfBody(b));
+        if (color && !m_shown.chosenColor(part) && !hasOwnColor(m_model->parts[part]))
+            m_shown.follow(SetPartLook{static_cast<std::uint32_t>(part), m_shown.chosenName(part), textOf(*color)});
+    }
+    m_parts->fields->setAppearance(m_shown);
+    m_parts->objects.clear();
+    colorBodies();
+    colorRegions();
+    colorSurfaces();
+    showObjects();
 }
 
 void SceneView::colorBodies()
@@ -168,14 +203,17 @@ void SceneView::colorBodies()
         const bool isSelected = m_marks.selectedBody == b || isPart(m_marks.selected, b);
         const bool isHovered = isPart(m_marks.hovered, b);
         m_parts->skins[b]->setEdges(edgesOf(b, isSelected, isHovered), isHovered || isSelected ? 1.8F : 1.2F);
-        if (colorByValues(b)) {
+        const bool hasValues = colorByValues(b);
+        m_parts->skins[b]->setShading(hasValues ? Shading::usual : m_options.shading,
+                                      hasValues ? MaterialLook::plain : lookOfBody(b));
+        if (hasValues) {
             tintValues(b);
             continue;
         }
         const std::size_t part = m_bodies[b]->part;
         m_parts->skins[b]->setColors([&](std::uint32_t face) {
             const SceneMarks::Face mark{b, face};
-            Color color = m_appearance.faceColor(*m_model, part, face);
+            Color color = colorFor(m_options.shading, m_shown.faceColor(*m_model, part, face));
             if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
                 color = mix(color, m_style.fixed, tint);
             if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
@@ -194,8 +232,9 @@ void SceneView::colorSurfaces()
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const std::size_t part = m_surfaces[s]->body->part;
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
+        m_parts->surfaces[s]->setShading(m_options.shading, MaterialLook::plain);
         m_parts->surfaces[s]->setColors(
-            [&](std::uint32_t face) { return m_appearance.faceColor(*m_model, part, face); });
+            [&](std::uint32_t face) { return colorFor(m_options.shading, m_shown.faceColor(*m_model, part, face)); });
     }
 }
 

@@ -112,6 +112,8 @@ void SideView::takeOver()
         m_scene->setModel(m_document.content());
     if (isAnew || isOther(SceneChange::looks))
         m_scene->setAppearance(m_document.appearance());
+    if (m_document.frame() && (isAnew || isOther(SceneChange::looks)))
+        m_scene->setMaterials(m_document.frame()->snapshot->materials);
     if (isAnew || isOther(SceneChange::options))
         m_scene->setOptions(m_view.options());
     if (isAnew || isOther(SceneChange::frame))

@@ -94,11 +94,7 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->faceActor->SetMapper(m_parts->faceMapper);
     m_parts->edgeActor->SetMapper(m_parts->edgeMapper);
 
-    vtkProperty* surface = m_parts->faceActor->GetProperty();
-    surface->SetAmbient(0.33);
-    surface->SetDiffuse(0.74);
-    surface->SetSpecular(0.12);
-    surface->SetSpecularPower(24);
+    shadeFaces(*m_parts->faceActor, Shading::usual, MaterialLook::plain);
     m_parts->edgeActor->GetProperty()->LightingOff();
     renderer->AddActor(m_parts->faceActor);
     renderer->AddActor(m_parts->edgeActor);
@@ -205,6 +201,11 @@ void SkinActor::tint(double share, const std::function<std::optional<Color>(std:
         bytes += 3;
     }
     showColors();
+}
+
+void SkinActor::setShading(Shading shading, MaterialLook look)
+{
+    shadeFaces(*m_parts->faceActor, shading, look);
 }
 
 void SkinActor::setOpacity(double opacity)

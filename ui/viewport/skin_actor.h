@@ -3,6 +3,7 @@
 #include "core/session/frame.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
+#include "ui/viewport/skin_shading.h"
 
 #include <functional>
 #include <memory>
@@ -31,6 +32,7 @@ public:
     void setValues(std::span<const float> values, const ColorScale& scale);
     /// Mixes the colors of some faces with another, on top of either. @param share of that, 0 .. 1
     void tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf);
+    void setShading(Shading shading, MaterialLook look);
     void setOpacity(double opacity);              ///< 0 .. 1; below 1 only what faces the eye is drawn
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 

@@ -95,11 +95,21 @@ void ViewportWidget::beginContent()
     m_sights->begin(m_document.content().bodies);
     m_scene->setModel(m_document.content());
     m_scene->setAppearance(m_document.appearance());
+    takeMaterials();
     m_marks = {};
     m_fields = nullptr;
     emit sceneChanged(SceneChange::content);
     setOptions(m_options);
     showFrame();
+}
+
+/// Those of now, also of what is looked at of the past.
+void ViewportWidget::takeMaterials()
+{
+    if (!m_document.frame() || !m_scene->setMaterials(m_document.frame()->snapshot->materials))
+        return;
+    requestRender();
+    emit sceneChanged(SceneChange::looks);
 }
 
 /// Of now, or of the past when that is looked at.
@@ -200,6 +210,7 @@ void ViewportWidget::documentChanged(Document::Change what)
         m_regions->fields().forget();
         return;
     case Document::Change::Frame:
+        takeMaterials();
         if (m_past || isAtRest())
             return;
         showFrame();
@@ -275,7 +286,13 @@ SceneLook ViewportWidget::look() const
 {
     SceneOptions options = m_options;
     options.section.hasFrame = false; // a handle of the view
-    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera, m_document.appearance()};
+    return {m_document.content(),
+            options,
+            {.fixed = fixedFaces()},
+            m_style,
+            m_camera,
+            m_document.appearance(),
+            m_document.frame() ? m_document.frame()->snapshot->materials : std::vector<Material>()};
 }
 
 QImage ViewportWidget::portrait()

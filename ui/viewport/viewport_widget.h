@@ -130,6 +130,7 @@ private:
     void documentChanged(Document::Change what);
     void updateMarks();
     void setSurfaceFields(const SurfaceFieldsPointer& fields);
+    void takeMaterials();
     void showFrame();
     bool isAtRest();
     bool isForTools(const QPointF& position);
