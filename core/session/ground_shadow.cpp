@@ -127,7 +127,7 @@ GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const
             heights.add(point(caster, a), point(caster, b), point(caster, c));
     for (const ShadowProbe& probe : probes)
         heights.add(probe);
-    return heights.shadow(hazeHeight * box.diagonal().norm());
+    return heights.shadow(std::max(hazeHeight * box.diagonal().norm(), 1e-9));
 }
 
 } // namespace knead

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <utility>
 
 namespace knead {
@@ -31,20 +31,26 @@ Vec3 across(const Vec3& direction, const Vec3& normal)
     return part.norm() > 1e-3 * direction.norm() ? Vec3(part.normalized()) : normal.unitOrthogonal();
 }
 
-Vec3 middleOf(const std::vector<ObjectIndex>& objects, const std::vector<Vec3>& places)
+/// None where there are no such objects: they may be of another filling.
+std::optional<Vec3> middleOf(const std::vector<ObjectIndex>& objects, const std::vector<Vec3>& places)
 {
     Vec3 sum = Vec3::Zero();
+    std::size_t count = 0;
     for (const ObjectIndex object : objects)
-        sum += places[object];
-    return sum / static_cast<double>(objects.size());
+        if (object < places.size()) {
+            sum += places[object];
+            ++count;
+        }
+    return count == 0 ? std::nullopt : std::optional(Vec3(sum / static_cast<double>(count)));
 }
 
 /// Of the body, what fixtures hold.
-std::vector<std::uint8_t> heldObjects(const Snapshot& now, BodyId body)
+/// @param going that one no more
+std::vector<std::uint8_t> heldObjects(const Snapshot& now, BodyId body, const std::string& going)
 {
     std::vector<std::uint8_t> isHeld(now.bodies[body].positions.size());
     for (const Fixture& fixture : now.fixtures)
-        if (fixture.body == body)
+        if (fixture.body == body && fixture.name != going)
             for (const ObjectIndex object : fixture.objects)
                 if (object < isHeld.size())
                     isHeld[object] = 1;
@@ -90,7 +96,7 @@ bool turnsPatch(SculptBrush brush)
 }
 
 SculptStroke::SculptStroke(const SculptChoice& choice, BodyId body, const Snapshot& now, const SurfaceSpot& spot,
-                           const Vec3& right)
+                           const Vec3& right, const std::string& going)
     : m_choice(choice)
     , m_body(body)
     , m_material(now.materials[body])
@@ -98,6 +104,7 @@ SculptStroke::SculptStroke(const SculptChoice& choice, BodyId body, const Snapsh
     , m_right(right)
     , m_spot(spot)
     , m_hand(spot.place)
+    , m_going(going)
     , m_time(now.time)
 {
     addTouches(now);
@@ -111,7 +118,7 @@ void SculptStroke::addTouches(const Snapshot& now)
     const double spacing = now.bodies[m_body].aggregate->lattice.spacing;
     const double reach = m_choice.radius + spacing;
     const std::vector<Vec3>& positions = now.bodies[m_body].positions;
-    std::vector<std::uint8_t> isTaken = heldObjects(now, m_body);
+    std::vector<std::uint8_t> isTaken = heldObjects(now, m_body, m_going);
     std::vector<Vec3> places;
     for (int mirrors = 0; mirrors < 8; ++mirrors) {
         Vec3 mirror = Vec3::Ones();
@@ -130,12 +137,12 @@ void SculptStroke::addTouches(const Snapshot& now)
         if (usesFingers(m_choice.brush)) {
             m_touches.push_back({.mirror = mirror, .place = place});
         } else if (m_choice.brush == SculptBrush::pinch) {
-            const Vec3 normal = mirror.cwiseProduct(m_start.normal);
-            const Vec3 first = across(m_right, normal);
+            const Vec3 first = across(m_right, m_start.normal);
             const double radius = std::max(pinchedPatch * m_choice.radius, fewestSpacings * spacing);
-            for (const Vec3& direction : {first, Vec3(normal.cross(first))})
+            for (const Vec3& direction : {first, Vec3(m_start.normal.cross(first))})
                 for (const double side : {-1.0, 1.0})
-                    addGrip(now, mirror, place, side * m_choice.radius * direction, radius, isTaken);
+                    addGrip(now, mirror, place, side * m_choice.radius * mirror.cwiseProduct(direction), radius,
+                            isTaken);
         } else {
             addGrip(now, mirror, place, Vec3::Zero(), std::max(m_choice.radius, fewestSpacings * spacing), isTaken);
         }
@@ -158,7 +165,7 @@ void SculptStroke::addGrip(const Snapshot& now, const Vec3& mirror, const Vec3& 
         }
     if (touch.objects.empty())
         return;
-    touch.patch = middleOf(touch.objects, positions);
+    touch.patch = touch.last = *middleOf(touch.objects, positions);
     touch.spring = springFor(m_material, radius, m_choice.brush == SculptBrush::pull ? m_choice.pull : PullChoice{});
     touch.spring.limit *= m_material.yields() ? patchStrength * m_choice.strength : m_choice.strength;
     m_touches.push_back(std::move(touch));
@@ -167,7 +174,7 @@ void SculptStroke::addGrip(const Snapshot& now, const Vec3& mirror, const Vec3& 
 /// As a sculptor's other hand does: what is far from all touches, where nothing else holds the body.
 void SculptStroke::addHold(const Snapshot& now)
 {
-    const std::vector<std::uint8_t> isHeld = heldObjects(now, m_body);
+    const std::vector<std::uint8_t> isHeld = heldObjects(now, m_body, m_going);
     if (std::ranges::find(isHeld, 1) != isHeld.end())
         return;
     const std::vector<Vec3>& positions = now.bodies[m_body].positions;
@@ -313,6 +320,8 @@ void SculptStroke::moveFinger(Touch& touch, const Snapshot& now, bool hasAll, st
         return;
     }
     if (!m_isReleased) {
+        if (tool->forceLimit != touch.limit) // it was strengthened before it was seen
+            commands.emplace_back(withLimit(*tool, touch.limit));
         const Pose pose = poseOf(touch, false);
         if ((pose.position - touch.told).norm() > worthTelling * m_choice.radius) {
             touch.told = pose.position;
@@ -338,12 +347,13 @@ std::optional<std::size_t> SculptStroke::fixtureOf(const std::string& name, cons
                                        : std::optional(static_cast<std::size_t>(found - now.fixtures.begin()));
 }
 
-/// Where the patch's middle would be if it had gone as the taken place did [m].
+/// Of the patch [m]; where it was last while the snapshot does not tell.
 Vec3 SculptStroke::middleNow(const Touch& touch, const Snapshot& now) const
 {
     const std::optional<std::size_t> index = fixtureOf(touch.name, now);
-    const std::vector<ObjectIndex>& objects = index ? now.fixtures[*index].objects : touch.objects;
-    return middleOf(objects.empty() ? touch.objects : objects, now.bodies[m_body].positions);
+    if (!index || now.fixtures[*index].objects != touch.objects)
+        return touch.last;
+    return middleOf(touch.objects, now.bodies[m_body].positions).value_or(touch.last);
 }
 
 /// From the patch to where the hand wants it [m], or [rad].
@@ -365,20 +375,20 @@ void SculptStroke::moveGrip(Touch& touch, const Snapshot& now, double dt, std::v
     if (!index || m_isReleased)
         return;
     const Fixture& fixture = now.fixtures[*index];
-    if (fixture.objects.empty())
+    const std::optional<Vec3> there = middleOf(fixture.objects, now.bodies[m_body].positions);
+    if (!there)
         return;
-    if (fixture.objects.size() != touch.objects.size() || fixture.objects != touch.objects) { // it was filled anew
-        const Vec3 moved = touch.last - touch.patch;
+    if (fixture.objects != touch.objects) { // the body was filled anew
         touch.objects = fixture.objects;
-        touch.patch = middleOf(touch.objects, now.bodies[m_body].positions) - moved;
+        touch.patch += *there - touch.last;
     }
-    const Vec3 middle = middleNow(touch, now);
-    touch.last = middle;
+    const Vec3 middle = touch.last = *there;
     touch.turned += dt * touch.turning;
     const Vec3& force = now.fixtureForces[*index];
     const Vec3 moment = now.fixtureMoments[*index] + (now.fixtureCenters[*index] - middle).cross(force);
     touch.force += smoothing * (force - touch.force);
-    touch.moment += smoothing * (moment - touch.moment);
+    if (!now.fixtureMoments[*index].isZero(0)) // it is not known right after a moment was gone to
+        touch.moment += smoothing * (moment - touch.moment);
     const Vec3 step = wantedStep(touch, now);
     const auto goTo = m_material.yields() ? flowVelocity : pullVelocity;
     Vec3 velocity;
@@ -401,13 +411,13 @@ void SculptStroke::moveGrip(Touch& touch, const Snapshot& now, double dt, std::v
     commands.emplace_back(move);
 }
 
-std::vector<Command> SculptStroke::release(const Snapshot& now)
+std::vector<Command> SculptStroke::release(const Snapshot& now, bool hasAll)
 {
     std::vector<Command> commands;
     m_isReleased = true;
     if (usesFingers(m_choice.brush))
-        return follow(now, false);
-    letGo(now, false, commands);
+        return follow(now, hasAll);
+    letGo(now, hasAll, commands);
     return commands;
 }
 
@@ -431,19 +441,20 @@ void SculptStroke::letGo(const Snapshot& now, bool hasAll, std::vector<Command>&
     }
 }
 
-std::vector<Command> SculptStroke::abandon(const Snapshot& now, std::vector<std::string>& unseen)
+std::vector<Command> SculptStroke::abandon(const Snapshot& now, bool hasAll)
 {
     m_isReleased = true;
     std::vector<Command> commands;
     if (usesFingers(m_choice.brush)) {
+        ToolId next = now.nextTool; // of those that the simulation does not have yet
         for (const Touch& touch : m_touches)
             if (const ToolState* tool = toolOf(touch, now))
                 commands.emplace_back(RemoveManipulator{tool->id});
-            else
-                unseen.push_back(touch.name);
+            else if (!hasAll)
+                commands.emplace_back(RemoveManipulator{next++});
         m_touches.clear();
     }
-    letGo(now, false, commands);
+    letGo(now, hasAll, commands);
     return commands;
 }
 

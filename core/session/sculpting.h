@@ -55,11 +55,12 @@ class SculptStroke {
 public:
     /// @param now of a simulation, whose names are not taken
     /// @param right of the hand, of length 1
+    /// @param going name of a fixture that was told to go and is in the snapshot still; empty: none
     SculptStroke(const SculptChoice& choice, BodyId body, const Snapshot& now, const SurfaceSpot& spot,
-                 const Vec3& right);
+                 const Vec3& right, const std::string& going = {});
 
-    /// Nothing can be taken there: all of it is held.
-    bool isEmpty() const { return m_touches.empty() && !m_isReleased; }
+    /// Before begin(): nothing can be taken there, all of it is held.
+    bool isEmpty() const { return m_touches.empty(); }
     std::vector<Command> begin();
 
     /// The hand is above another place. @param hand on the plane through the first place that faces the eye [m]
@@ -70,20 +71,21 @@ public:
     /// @param hasAll all that was told is in the snapshot
     std::vector<Command> follow(const Snapshot& now, bool hasAll);
     /// The hand opens: grips let go, fingers are lifted.
-    std::vector<Command> release(const Snapshot& now);
+    std::vector<Command> release(const Snapshot& now, bool hasAll);
     bool isReleased() const { return m_isReleased; }
     /// All fingers have gone.
     bool isOver() const { return m_isReleased && m_touches.empty() && !m_hold; }
     /// What is still there goes at once.
-    /// @param unseen gets the names of fingers that the simulation was told of and the snapshot does not have yet
-    std::vector<Command> abandon(const Snapshot& now, std::vector<std::string>& unseen);
+    std::vector<Command> abandon(const Snapshot& now, bool hasAll);
 
     /// More force than suits the material. @return the commands for that
     std::vector<Command> strengthen(const Snapshot& now, double factor);
 
     double force(const Snapshot& now) const; ///< of the hand at the first place [N]
     bool isAtLimit(const Snapshot& now) const;
-    Vec3 placeNow(const Snapshot& now) const;          ///< that was taken first [m]
+    Vec3 placeNow(const Snapshot& now) const; ///< that was taken first [m]
+    /// Of the grip of the other hand; empty: none.
+    std::string nameOfHold() const { return m_hold ? m_hold->name : std::string(); }
     const SurfaceSpot& spot() const { return m_spot; } ///< under the hand, as it was when the stroke began
 
 private:
@@ -132,6 +134,7 @@ private:
     SurfaceSpot m_spot;
     Vec3 m_hand; ///< [m]
     std::vector<Touch> m_touches;
+    std::string m_going;           ///< see the constructor
     std::optional<Fixture> m_hold; ///< of the other hand
     double m_time = 0;             ///< of the snapshot before [s]
     bool m_isReleased = false;

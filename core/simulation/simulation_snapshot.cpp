@@ -242,6 +242,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (state.tools[id])
             shot->tools.push_back(stateOf(id, *state.tools[id]));
+    shot->nextTool = static_cast<ToolId>(state.tools.size());
     shot->nextFixture = static_cast<FixtureId>(state.grips.fixtures.size());
     for (FixtureId id = 0; id < state.grips.fixtures.size(); ++id)
         if (state.grips.fixtures[id]) {

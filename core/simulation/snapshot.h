@@ -139,6 +139,7 @@ struct Snapshot {
     std::vector<Fixture> fixtures;
     std::vector<FixtureId> fixtureIds; ///< of fixtures, same order
     FixtureId nextFixture = 0;         ///< that the next one gets
+    ToolId nextTool = 0;               ///< that the next one gets
     std::vector<Vec3> fixtureForces;   ///< of the material on them, same order, in the last step [N]
     std::vector<Vec3> fixtureMoments;  ///< the same about fixtureCenters [N m]
     std::vector<Vec3> fixtureCenters;  ///< of their objects at rest, same order [m]

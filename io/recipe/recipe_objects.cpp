@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -132,6 +133,13 @@ void readPlaceOf(const JsonNode& node, RecipeRegion& region)
         region.faces = readFaces(*faces);
     if (box)
         region.box = readBox(*box);
+}
+
+void eachFaceOnce(std::vector<std::uint32_t>& faces)
+{
+    std::ranges::sort(faces);
+    const auto same = std::ranges::unique(faces);
+    faces.erase(same.begin(), same.end());
 }
 
 void putPlaceOf(ObjectText& text, const RecipeRegion& region)

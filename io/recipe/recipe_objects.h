@@ -25,6 +25,7 @@ void putObjects(ObjectText& text, const RecipeObjects& objects);
 /// Exactly one of `faces`, `box_mm` and `objects`.
 void readPlaceOf(const JsonNode& node, RecipeRegion& region);
 void putPlaceOf(ObjectText& text, const RecipeRegion& region);
+void eachFaceOnce(std::vector<std::uint32_t>& faces); ///< ascending
 
 void readTurn(const JsonNode& node, GripTurn& turn);
 void putTurn(ObjectText& text, const GripTurn& turn);
@@ -158,6 +159,7 @@ template <class Fields>
 void describeKeys(Fields& fields, RecipeLoad& load)
 {
     describePlace(fields, load, {"faces", "box_mm"});
+    fields.check([&load](const JsonNode& /*node*/) { eachFaceOnce(load.faces); });
     describeAmount(fields, load.amount, load.ramp);
 }
 

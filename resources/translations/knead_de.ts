@@ -2503,18 +2503,6 @@
         <translation>Pinsel tun dasselbe auf der anderen Seite der Mitte, entlang Z</translation>
     </message>
     <message>
-        <source>Smaller brush</source>
-        <translation>Kleinerer Pinsel</translation>
-    </message>
-    <message>
-        <source>Its radius stands at the cursor</source>
-        <translation>Sein Radius steht am Mauszeiger</translation>
-    </message>
-    <message>
-        <source>Larger brush</source>
-        <translation>Größerer Pinsel</translation>
-    </message>
-    <message>
         <source>Weaker brush</source>
         <translation>Schwächerer Pinsel</translation>
     </message>
@@ -3576,6 +3564,10 @@ Simuliert: %2, Schritt %3
         <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
         <translation>Woher diese Teile gelesen wurden, ist nicht bekannt, deshalb lässt sich nichts mit ihnen zusammen öffnen.</translation>
     </message>
+    <message>
+        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
+        <translation>Beim Öffnen wurden nur einige Teile oder eine andere Einheit gewählt. Stattdessen alle Dateien zusammen öffnen, mit Datei &gt; Mit Auswahl öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -3769,6 +3761,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Another window could not be opened.</source>
         <translation>Ein weiteres Fenster ließ sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Go back to the part first: Esc.</source>
+        <translation>Zuerst zum Teil zurückkehren: Esc.</translation>
     </message>
 </context>
 <context>

@@ -2503,18 +2503,6 @@
         <translation>Les pinceaux font de même de l&apos;autre côté du milieu, selon Z</translation>
     </message>
     <message>
-        <source>Smaller brush</source>
-        <translation>Pinceau plus petit</translation>
-    </message>
-    <message>
-        <source>Its radius stands at the cursor</source>
-        <translation>Son rayon est indiqué près du curseur</translation>
-    </message>
-    <message>
-        <source>Larger brush</source>
-        <translation>Pinceau plus grand</translation>
-    </message>
-    <message>
         <source>Weaker brush</source>
         <translation>Pinceau plus faible</translation>
     </message>
@@ -3576,6 +3564,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
         <translation>On ne sait pas d&apos;où ces pièces ont été lues&#xa0;; rien ne peut donc être ouvert avec elles.</translation>
     </message>
+    <message>
+        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
+        <translation>Seules certaines pièces, ou une autre unité, ont été choisies à l&apos;ouverture. Ouvrez plutôt tous les fichiers ensemble, avec Fichier &gt; Ouvrir avec des choix.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -3769,6 +3761,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Another window could not be opened.</source>
         <translation>Une autre fenêtre n&apos;a pas pu être ouverte.</translation>
+    </message>
+    <message>
+        <source>Go back to the part first: Esc.</source>
+        <translation>Revenez d&apos;abord à la pièce : Échap.</translation>
     </message>
 </context>
 <context>

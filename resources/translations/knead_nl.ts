@@ -2503,18 +2503,6 @@
         <translation>Penselen doen hetzelfde aan de andere kant van het midden, langs Z</translation>
     </message>
     <message>
-        <source>Smaller brush</source>
-        <translation>Kleiner penseel</translation>
-    </message>
-    <message>
-        <source>Its radius stands at the cursor</source>
-        <translation>De straal staat bij de muisaanwijzer</translation>
-    </message>
-    <message>
-        <source>Larger brush</source>
-        <translation>Groter penseel</translation>
-    </message>
-    <message>
         <source>Weaker brush</source>
         <translation>Zwakker penseel</translation>
     </message>
@@ -3576,6 +3564,10 @@ Gesimuleerd: %2, stap %3
         <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
         <translation>Waar deze onderdelen vandaan komen is niet bekend, dus er kan niets samen mee worden geopend.</translation>
     </message>
+    <message>
+        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
+        <translation>Bij het openen zijn alleen enkele onderdelen of een andere eenheid gekozen. Open in plaats daarvan alle bestanden samen, met Bestand &gt; Openen met keuzes.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -3769,6 +3761,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Another window could not be opened.</source>
         <translation>Er kon geen ander venster worden geopend.</translation>
+    </message>
+    <message>
+        <source>Go back to the part first: Esc.</source>
+        <translation>Ga eerst terug naar het onderdeel: Esc.</translation>
     </message>
 </context>
 <context>

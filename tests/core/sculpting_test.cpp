@@ -45,7 +45,7 @@ public:
     /// @return whether nothing of the hand is left
     bool release(SculptStroke& stroke)
     {
-        post(stroke.release(*m_now));
+        post(stroke.release(*m_now, true));
         for (int n = 0; n < 200 && !stroke.isOver(); ++n) {
             frame();
             post(stroke.follow(*m_now, true));
@@ -245,7 +245,7 @@ private slots:
         SculptStroke stroke = place.begin(choiceOf(SculptBrush::pull, 5e-3), onTop(0, 0, 3 * spacing));
         place.hold(stroke, 0.05);
         QCOMPARE(place.now().fixtures.size(), std::size_t{2});
-        for (const Command& command : stroke.release(place.now()))
+        for (const Command& command : stroke.release(place.now(), true))
             QVERIFY(std::holds_alternative<RemoveFixture>(command));
         const SurfaceSpot below{Vec3(0, 0, -4 * spacing), -Vec3::UnitZ(), Vec3(0, 0, -4 * spacing)};
         SculptStroke nothing = place.begin(choiceOf(SculptBrush::pull, 1e-3), below);

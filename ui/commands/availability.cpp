@@ -43,11 +43,12 @@ void Availability::needPart(const QList<QAction*>& actions, WhyNot besides)
 
 void Availability::needBodies(const QList<QAction*>& actions, WhyNot besides)
 {
-    needPart(actions, [this, besides = std::move(besides)] {
-        return m_document.content().bodies.empty()
-                   ? std::optional(QCoreApplication::translate(
-                         "Availability", "Nothing in this part is closed, so nothing can be simulated."))
-                   : ask(besides);
+    needPart(actions, [this, besides = std::move(besides)]() -> std::optional<QString> {
+        if (m_document.content().bodies.empty())
+            return QCoreApplication::translate("Availability",
+                                               "Nothing in this part is closed, so nothing can be simulated.");
+        const std::optional<QString> unseen = ask(m_whyUnseen);
+        return unseen ? unseen : ask(besides);
     });
 }
 

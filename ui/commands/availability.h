@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -32,6 +33,9 @@ public:
     /// For what needs bodies that are simulated, not only surfaces to look at. @param besides asked when there are some
     void needBodies(const QList<QAction*>& actions, WhyNot besides = {});
 
+    /// Where the bodies are not seen, what needs them cannot be done. @param whyNot before any other reason but that there are none
+    void whileSeen(WhyNot whyNot) { m_whyUnseen = std::move(whyNot); }
+
     /// After anything has changed that it depends on but the document, after whose changes the window calls it.
     void update() const;
 
@@ -50,6 +54,7 @@ private:
     const Document& m_document;
     QMainWindow& m_window;
     std::vector<Entry> m_entries;
+    WhyNot m_whyUnseen;
 };
 
 } // namespace knead

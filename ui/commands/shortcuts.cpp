@@ -44,14 +44,30 @@ Shortcuts::Shortcuts(QMainWindow& window)
     : QObject(&window)
     , m_window(window)
 {
-    for (const ListedAction& one : listedActions(window)) {
+    const auto actions = listedActions(window);
+    QList<const QAction*> chosen;
+    for (const ListedAction& one : actions) {
         follow(one.action);
         if (one.action->objectName().isEmpty())
             continue;
         m_usual[one.action] = one.action->shortcuts();
         const QVariant kept = QSettings().value(settingOf(one.action));
-        if (kept.isValid())
+        if (kept.isValid()) {
             one.action->setShortcuts(keysFrom(kept.toStringList()));
+            chosen.append(one.action);
+        }
+    }
+    // What a person gave an action is no longer the usual key of another one, which may be new.
+    for (const ListedAction& one : actions) {
+        if (chosen.contains(one.action))
+            continue;
+        QList<QKeySequence> keys = one.action->shortcuts();
+        const auto isTaken = [&chosen](const QKeySequence& key) {
+            return std::ranges::any_of(chosen,
+                                       [&key](const QAction* other) { return other->shortcuts().contains(key); });
+        };
+        if (keys.removeIf(isTaken) > 0)
+            one.action->setShortcuts(keys);
     }
 }
 

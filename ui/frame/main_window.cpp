@@ -239,6 +239,11 @@ void MainWindow::connectActions()
     connect(m_actions->firstPage, &QAction::toggled, this, &MainWindow::showFirstPage);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
     m_availability.needPart({m_actions->firstPage});
+    m_availability.whileSeen([this]() -> std::optional<QString> {
+        if (m_actions->firstPage->isChecked())
+            return tr("Go back to the part first: Esc.");
+        return {};
+    });
     for (const QuantityField* field : findChildren<QuantityField*>()) // the keys are the view's again
         connect(field, &QuantityField::finished, this, [this] {
             if (m_viewport->isVisible())
@@ -381,10 +386,11 @@ void MainWindow::showFirstPage(bool on)
     if (on) {
         m_document.pause();
         m_center->showHome();
-        return;
+    } else {
+        m_center->showViews();
+        m_viewport->setFocus();
     }
-    m_center->showViews();
-    m_viewport->setFocus();
+    m_availability.update();
 }
 
 /// Esc: comes back from the first page; gives up what the mouse draws or drags, else stops the task, else leaves the

@@ -159,6 +159,12 @@ void ImportFeature::addParts(const QStringList& paths)
                                    "with them."));
         return;
     }
+    if (!request.options.parts.empty() || !request.options.unit.empty()) {
+        m_bench.notices.problem(
+            tr("Only some parts, or another unit, were chosen when these were opened. Open all files "
+               "together instead, with File > Open with choices."));
+        return;
+    }
     for (const QString& path : paths)
         request.paths.push_back(QFile::encodeName(path).toStdString());
     request.spacing.reset(); // it was chosen for fewer

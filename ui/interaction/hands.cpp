@@ -103,10 +103,6 @@ void Hands::makeBrushes()
         connect(action, &QAction::triggered, this, change);
         m_brushChanges.push_back(action);
     };
-    add("brushSmaller", tr("Smaller brush"), Qt::Key_BracketLeft, tr("Its radius stands at the cursor"),
-        [this] { m_sculptHand->changeRadius(1 / factor); });
-    add("brushLarger", tr("Larger brush"), Qt::Key_BracketRight, tr("Its radius stands at the cursor"),
-        [this] { m_sculptHand->changeRadius(factor); });
     add("brushWeaker", tr("Weaker brush"), Qt::Key_Minus, tr("Also with Shift and the mouse wheel"),
         [this] { m_sculptHand->changeStrength(1 / factor); });
     add("brushStronger", tr("Stronger brush"), Qt::Key_Plus, tr("Also with Shift and the mouse wheel"),
@@ -214,6 +210,14 @@ bool Hands::leaveKeys()
     const bool wereOn = m_keys->isChecked();
     m_keys->setChecked(false);
     return wereOn;
+}
+
+bool Hands::changeBrush(double factor) const
+{
+    if (!m_sculptHand->brush())
+        return false;
+    m_sculptHand->changeRadius(factor);
+    return true;
 }
 
 QString Hands::hint() const

@@ -35,7 +35,8 @@ public:
 
     /// Gives the keys back to the window. @return whether they drove tools
     bool leaveKeys();
-    QString hint() const; ///< on what the mouse does now; empty: as always
+    bool changeBrush(double factor) const; ///< see HandsFeature
+    QString hint() const;                  ///< on what the mouse does now; empty: as always
     /// What the left button does to the material instead of selecting: pressing with a tool, and the brushes.
     QList<QAction*> modes() const;
     QToolBar* newSculptBar(QWidget* parent) const;
@@ -73,7 +74,7 @@ private:
     QAction* m_press = nullptr;
     std::vector<QAction*> m_brushes;      ///< by SculptBrush
     std::vector<QAction*> m_mirrors;      ///< x, y, z
-    std::vector<QAction*> m_brushChanges; ///< of radius and strength
+    std::vector<QAction*> m_brushChanges; ///< of its strength
     QAction* m_spaceMouse = nullptr;
     QAction* m_forces = nullptr;
     QAction* m_forcePlot = nullptr;

@@ -112,6 +112,11 @@ void HandsFeature::addTool(int index)
     m_bench.viewport.setFocus(); // the arrow keys shall drive it
 }
 
+bool HandsFeature::changeBrush(double factor) const
+{
+    return m_hands->changeBrush(factor);
+}
+
 void HandsFeature::askForForces()
 {
     askForTextFile(m_bench, tr("Export forces over time"), "-forces.csv", {tr("Table (*.csv)")},

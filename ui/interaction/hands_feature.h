@@ -33,6 +33,9 @@ public:
     QMenu& addToolMenu() const { return m_addTool; }
     Hands& hands() { return *m_hands; }
 
+    /// Of the brush that sculpts, by a factor of its radius. @return whether one is chosen
+    bool changeBrush(double factor) const;
+
     /// Writes the forces over time as a table in the background.
     void exportForces(const QString& path);
 

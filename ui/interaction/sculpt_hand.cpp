@@ -68,15 +68,13 @@ void SculptHand::documentChanged(Document::Change what)
             choices.sculptRadius = 0; // that of another part
             m_settings.set(choices);
         }
-        [[fallthrough]];
-    case Document::Change::Moment:
         m_stroke.reset();
         m_startFrame.reset();
-        m_orphans.clear();
+        m_request = 0;
+        m_view.setCursor(m_view.usualCursor());
         m_overlay->refresh();
         break;
     case Document::Change::Frame:
-        removeOrphans();
         if (m_stroke)
             follow();
         break;
@@ -97,6 +95,8 @@ double SculptHand::radius() const
 
 void SculptHand::changeRadius(double factor)
 {
+    if (isStroking()) // its fingers stay as they are
+        return;
     HandChoices choices = m_settings.choices();
     choices.sculptRadius = std::clamp(factor * radius(), 1e-3 * m_document.size(), largestShare * m_document.size());
     m_changed.start();
@@ -151,7 +151,8 @@ bool SculptHand::mousePressed(QMouseEvent& event)
     const std::optional<PickHit> hit = m_brush ? pressedBody(event) : std::nullopt;
     if (!hit)
         return false;
-    if (m_stroke && !m_document.hasSeen(m_request)) // of fingers that go up nothing is known yet
+    if (!m_document.hasSeen(m_request) ||
+        m_stroke) // fingers that go up, or what the stroke before left, are on their way
         return true;
     m_cursor = event.position();
     if (const QString reason = whyNot(hit->id); !reason.isEmpty())
@@ -173,12 +174,17 @@ QString SculptHand::whyNot(BodyId body) const
 void SculptHand::begin(const PickHit& hit)
 {
     const bool wasRunning = m_stroke ? !m_makesTimeRun : m_document.isPlaying();
+    const std::string going = m_stroke ? m_stroke->nameOfHold() : std::string();
     letGo(); // of fingers that still go up
     const FramePointer frame = m_document.frame();
+    m_still.hide(m_view.options().hiddenParts);
+    m_still.cut(m_view.options().section.plane);
     m_still.follow();
-    SculptStroke stroke(choice(), hit.id, *frame->snapshot, spotAt(hit, *frame), m_view.camera().right());
+    SculptStroke stroke(choice(), hit.id, *frame->snapshot, spotAt(hit, *frame), m_view.camera().right(), going);
     const std::string name = m_document.nameOfBody(hit.id).toStdString();
     if (stroke.isEmpty()) {
+        if (!wasRunning && m_document.isPlaying())
+            m_document.pause();
         emit refused(
             said(Message("SculptHand", "%1 is held at this place: free it with Fix faces, or take another place.")
                      .with(name)));
@@ -291,7 +297,7 @@ bool SculptHand::keyPressed(QKeyEvent& event)
 /// The hand opens; fingers are lifted while time goes on.
 void SculptHand::end()
 {
-    post(m_stroke->release(*m_document.frame()->snapshot));
+    post(m_stroke->release(*m_document.frame()->snapshot, m_document.hasSeen(m_request)));
     m_request = m_document.requests();
     m_view.setCursor(m_view.usualCursor());
     if (m_stroke->isOver())
@@ -315,22 +321,11 @@ void SculptHand::letGo()
 {
     if (!m_stroke)
         return;
-    post(m_stroke->abandon(*m_document.frame()->snapshot, m_orphans));
+    post(m_stroke->abandon(*m_document.frame()->snapshot, m_document.hasSeen(m_request)));
+    m_request = m_document.requests();
     m_makesTimeRun = false;
     finish();
     m_overlay->refresh();
-}
-
-void SculptHand::removeOrphans()
-{
-    std::erase_if(m_orphans, [this](const std::string& name) {
-        const std::vector<ToolState>& tools = m_document.frame()->snapshot->tools;
-        const auto found = std::ranges::find(tools, name, &ToolState::name);
-        if (found == tools.end())
-            return false;
-        m_document.post(RemoveManipulator{found->id});
-        return true;
-    });
 }
 
 double SculptHand::force() const

@@ -64,7 +64,6 @@ private:
     void end();
     void finish();
     void letGo();
-    void removeOrphans();
     void post(const std::vector<Command>& commands, const Message& name = {});
     void hover();
 
@@ -77,13 +76,12 @@ private:
     ViewOverlay* m_overlay;
     std::optional<SculptBrush> m_brush;
     std::optional<SculptStroke> m_stroke;
-    ScenePicker m_still;                ///< the surface as it was when the stroke began
-    FramePointer m_startFrame;          ///< the same
-    BodyId m_body = 0;                  ///< that is worked
-    Vec3 m_start = Vec3::Zero();        ///< the place that was taken [m]
-    std::uint64_t m_request = 0;        ///< by which the simulation has what began the stroke
-    bool m_makesTimeRun = false;        ///< it stood still before
-    std::vector<std::string> m_orphans; ///< fingers of strokes that were given up before the simulation showed them
+    ScenePicker m_still;         ///< the surface as it was when the stroke began
+    FramePointer m_startFrame;   ///< the same
+    BodyId m_body = 0;           ///< that is worked
+    Vec3 m_start = Vec3::Zero(); ///< the place that was taken [m]
+    std::uint64_t m_request = 0; ///< by which the simulation has what began the stroke
+    bool m_makesTimeRun = false; ///< it stood still before
     std::optional<Hover> m_hover;
     QPointF m_cursor;
     QElapsedTimer m_changed; ///< radius or strength, which are told for a while

@@ -13,9 +13,7 @@ namespace knead {
 
 namespace {
 
-constexpr int bannerInset = 8;    // from the upper edge of the view [px]
-constexpr int cubeRoom = 124;     // that stays free beside it, for the cube of directions [px]
-constexpr int leastBanner = 420;  // narrower views are covered from side to side [px]
+constexpr int bannerInset = 8;    // from the lower edge of the view [px]
 constexpr int widestBanner = 900; // [px]
 
 } // namespace
@@ -71,6 +69,15 @@ void Banner::layOver(QWidget& view)
     place();
 }
 
+/// Its sentence is another one when the language changes.
+bool Banner::event(QEvent* event)
+{
+    const bool isTaken = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        place();
+    return isTaken;
+}
+
 bool Banner::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_view && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
@@ -78,18 +85,17 @@ bool Banner::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
-/// In the middle of the upper edge, as high as its sentence takes.
+/// In the middle of the lower edge, as high as its sentence takes: cubes, names of views and captions lie at the upper one.
 void Banner::place()
 {
     if (m_view == nullptr)
         return;
     const QRect view = m_view->geometry();
-    const int beside = view.width() - 2 * cubeRoom;
-    const int width = std::min(beside < leastBanner ? view.width() - 2 * bannerInset : beside, widestBanner);
+    const int width = std::min(view.width() - 2 * bannerInset, widestBanner);
     ensurePolished();
     layout()->activate();
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
-    setGeometry(view.center().x() - width / 2, view.top() + bannerInset, width, height);
+    setGeometry(view.center().x() - width / 2, view.bottom() - bannerInset - height, width, height);
     raise();
 }
 

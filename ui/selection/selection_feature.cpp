@@ -28,6 +28,8 @@
 
 #include <numeric>
 
+#include <utility>
+
 namespace knead {
 
 namespace {
@@ -133,10 +135,11 @@ void SelectionFeature::connectSelection()
             m_bench.viewport.regions().setShape(static_cast<RegionShape>(shape->data().toInt()));
         });
     RegionTool& regions = m_bench.viewport.regions();
-    connect(s.smallerBrush, &QAction::triggered, this,
-            [&regions] { regions.setBrushRadius(regions.brushRadius() / brushStep); });
-    connect(s.largerBrush, &QAction::triggered, this,
-            [&regions] { regions.setBrushRadius(regions.brushRadius() * brushStep); });
+    for (const auto& [action, factor] : {std::pair(s.smallerBrush, 1 / brushStep), std::pair(s.largerBrush, brushStep)})
+        connect(action, &QAction::triggered, this, [this, &regions, by = factor] {
+            if (!m_hands.changeBrush(by))
+                regions.setBrushRadius(regions.brushRadius() * by);
+        });
     connect(s.through, &QAction::triggered, &selected, &SelectionModel::setThrough);
     connect(&selected, &SelectionModel::levelChanged, this, &SelectionFeature::showLevel);
     connect(&selected, &SelectionModel::changed, this, &SelectionFeature::showSelected);
