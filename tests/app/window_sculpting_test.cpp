@@ -56,7 +56,8 @@ private slots:
         drag(way);
         const double begin = snapshot().time;
         QVERIFY(comesTrue([&] { return snapshot().time > begin + 0.4; }));
-        QVERIFY2(hand().force() > 0, "the material resists");
+        if (brush != "sculptSmooth") // it levels what stands out, and here nothing does
+            QVERIFY2(hand().force() > 0, "the material resists");
         picture(qPrintable("sculpt-" + brush));
         release();
         QVERIFY2(comesTrue([this] { return !snapshot().playing; }), "it stood still before");
