@@ -6,6 +6,7 @@
 #include <Standard_OutOfMemory.hxx>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -68,6 +69,9 @@ std::string& outOfMemoryBytes()
 /// The CAD libraries lack memory in places that no exception may leave: that is no crash.
 [[noreturn]] void endTerminated()
 {
+    static std::atomic_flag isEnding; // by a thread: what several write is no sentence
+    while (isEnding.test_and_set())
+        pause();
     try {
         if (const std::exception_ptr exception = std::current_exception())
             std::rethrow_exception(exception);

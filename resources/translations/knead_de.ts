@@ -2526,6 +2526,14 @@
         <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
         <translation>Auf das Teil drücken und ziehen   [ ]: Radius   Umschalt+Rad: Kraft   Esc: fertig</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation type="unfinished">Den Rest festhalten</translation>
+    </message>
+    <message>
+        <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Was fern vom Pinsel liegt, wird wie mit der anderen Hand gehalten, wo sonst nichts das Teil hält</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>

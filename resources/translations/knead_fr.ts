@@ -2526,6 +2526,14 @@
         <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
         <translation>Appuyer sur la pièce et tirer   [ ]&#xa0;: rayon   Maj+molette&#xa0;: force   Échap&#xa0;: terminé</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation type="unfinished">Tenir le reste</translation>
+    </message>
+    <message>
+        <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Ce qui est loin du pinceau est tenu comme par l&apos;autre main, là où rien d&apos;autre ne tient la pièce</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>

@@ -2526,6 +2526,14 @@
         <source>Press on the part and draw   [ ]: radius   Shift+wheel: force   Esc: done</source>
         <translation>Op het onderdeel drukken en trekken   [ ]: straal   Shift+wiel: kracht   Esc: klaar</translation>
     </message>
+    <message>
+        <source>Hold the rest</source>
+        <translation type="unfinished">De rest vasthouden</translation>
+    </message>
+    <message>
+        <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
+        <translation>Wat ver van het penseel ligt, wordt als met de andere hand vastgehouden, waar niets anders het onderdeel vasthoudt</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>

@@ -50,7 +50,7 @@ HandPanel::HandPanel(HandSettings& settings, const QList<QAction*>& modes, QWidg
         tr("Of what a brush takes or presses; also with [ and ]"));
     add(tr("Strength"), "sculptStrength", Quantity::Number, 0.1, 20, &HandChoices::sculptStrength,
         tr("Of the force that suits the material; also with Shift and the mouse wheel"));
-    m_holdsRest->setObjectName("sculptHoldsRest");
+    m_holdsRest->setObjectName("holdsRestBox");
     m_holdsRest->setToolTip(
         tr("What is far from the brush is held as by the other hand, where nothing else holds the part"));
     form->addRow(m_holdsRest);

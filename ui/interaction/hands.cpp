@@ -97,6 +97,8 @@ void Hands::makeBrushes()
         make("mirrorZ", tr("Symmetric in Z"), "mirror-z", Qt::SHIFT | Qt::Key_Z,
              tr("Brushes do the same on the other side of the middle, along Z")),
     };
+    m_holdsRest = make("holdsRest", tr("Hold the rest"), nullptr, {},
+                       tr("What is far from a brush is held as by the other hand, where nothing else holds the part"));
     constexpr double factor = 1.15;
     const auto add = [&](const char* name, const QString& text, Qt::Key key, const QString& tip, auto change) {
         QAction* action = make(name, text, nullptr, key, tip, false);
@@ -145,6 +147,7 @@ void Hands::connectActions()
                 m_sculptHand->setBrush(on ? std::optional(which) : std::nullopt);
             emit modeChanged();
         });
+    keep(m_holdsRest, &HandChoices::holdsRest);
     keep(m_mirrors[0], &HandChoices::mirrorX);
     keep(m_mirrors[1], &HandChoices::mirrorY);
     keep(m_mirrors[2], &HandChoices::mirrorZ);
@@ -193,6 +196,7 @@ void Hands::addTo(QMenu* menu) const
     sculpt->addActions({m_brushes.begin(), m_brushes.end()});
     sculpt->addSeparator();
     sculpt->addActions({m_mirrors.begin(), m_mirrors.end()});
+    sculpt->addAction(m_holdsRest);
     sculpt->addSeparator();
     sculpt->addActions({m_brushChanges.begin(), m_brushChanges.end()});
     menu->addAction(m_spaceMouse);

@@ -72,7 +72,8 @@ private:
     QAction* m_ownAxes = nullptr;
     QAction* m_keys = nullptr;
     QAction* m_press = nullptr;
-    std::vector<QAction*> m_brushes;      ///< by SculptBrush
+    std::vector<QAction*> m_brushes; ///< by SculptBrush
+    QAction* m_holdsRest = nullptr;
     std::vector<QAction*> m_mirrors;      ///< x, y, z
     std::vector<QAction*> m_brushChanges; ///< of its strength
     QAction* m_spaceMouse = nullptr;

@@ -52,7 +52,8 @@ void SculptHand::setBrush(std::optional<SculptBrush> brush)
     if (isStroking())
         end();
     m_brush = brush;
-    m_view.setMode(brush ? std::optional(Qt::CrossCursor) : std::nullopt);
+    m_view.setMode(brush ? std::optional(usesFingers(*brush) ? Qt::CrossCursor : Qt::PointingHandCursor)
+                         : std::nullopt);
     if (!brush)
         m_hover.reset();
     m_overlay->refresh();

@@ -22,7 +22,7 @@ constexpr double turnBudget = 0.008; // for side views between two events; at le
 /// after.
 Vec3 firstDirection(ViewSlot slot)
 {
-    const Vec3 directions[viewSlots] = {{1, -1, 1}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
+    const Vec3 directions[viewSlots] = {Camera().towardsEye(), {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
     return directions[static_cast<std::size_t>(slot)];
 }
 
