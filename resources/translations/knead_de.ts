@@ -2528,7 +2528,7 @@
     </message>
     <message>
         <source>Hold the rest</source>
-        <translation type="unfinished">Den Rest festhalten</translation>
+        <translation>Den Rest festhalten</translation>
     </message>
     <message>
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>

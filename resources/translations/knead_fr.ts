@@ -2528,7 +2528,7 @@
     </message>
     <message>
         <source>Hold the rest</source>
-        <translation type="unfinished">Tenir le reste</translation>
+        <translation>Tenir le reste</translation>
     </message>
     <message>
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>

@@ -2528,7 +2528,7 @@
     </message>
     <message>
         <source>Hold the rest</source>
-        <translation type="unfinished">De rest vasthouden</translation>
+        <translation>De rest vasthouden</translation>
     </message>
     <message>
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>

@@ -14,7 +14,8 @@ namespace knead {
 namespace {
 
 constexpr int bannerInset = 8;    // from the lower edge of the view [px]
-constexpr int widestBanner = 900; // [px]
+constexpr int widestBanner = 700; // beyond it the sentence takes another line [px]
+constexpr int besideText = 220;   // sign, buttons and edges [px]
 
 } // namespace
 
@@ -91,7 +92,8 @@ void Banner::place()
     if (m_view == nullptr)
         return;
     const QRect view = m_view->geometry();
-    const int width = std::min(view.width() - 2 * bannerInset, widestBanner);
+    const int text = m_sentence->fontMetrics().horizontalAdvance(m_sentence->text());
+    const int width = std::min({view.width() - 2 * bannerInset, widestBanner, text + besideText});
     ensurePolished();
     layout()->activate();
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
