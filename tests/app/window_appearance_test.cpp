@@ -287,7 +287,7 @@ private slots:
     void whatIsMeasuredIsMarkedInEachView()
     {
         openExample("bracket.step", 10);
-        QTest::mouseClick(find<QToolButton>("bannerClose"), Qt::LeftButton); // it lies over the view that is pointed at
+        closeBanner();
         press(Qt::Key_F4, Qt::ShiftModifier);
         QTRY_VERIFY(views().sideView(ViewSlot::front) != nullptr);
         rest();

@@ -168,6 +168,7 @@ private slots:
         QVERIFY(boxes >= 13);
         const QHash<QString, QStringList> actionsOfChoice = {
             {"colorQuantity", {"colorParts", "color-strain", "color-vonMisesStress"}},
+            {"shading", {"shadingUsual", "shadingZebra"}},
             {"colorMap", {"colorMapViridis", "colorMapCividis", "colorMapGray"}},
             {"sectionAxis", {"sectionX", "sectionY", "sectionZ", "sectionEye"}},
             {"simulationSpeed", {"simulationSpeed-0", "simulationSpeed-8"}},

@@ -366,6 +366,7 @@ private:
         openByHand(file("large.knead"));
         QTRY_VERIFY_WITH_TIMEOUT(document().history().documentNumber() != before && isIdle(), patience);
         QCOMPARE(entry(), Entry(0));
+        comeBack(); // the dialog may have gone after its file was there
         redo();
         QVERIFY(m_window->tasks().isRunning());
         key(Qt::Key_Escape);

@@ -257,6 +257,8 @@ private slots:
         openProject(file("a.knead"));
         verify();
         m_window->probes().clear();
+        m_window->activateWindow(); // it was not, after the dialog, where no window manager runs
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         switchGravity();
         saveTo(file("a.knead"));
         openProject(file("a.knead"));

@@ -66,6 +66,7 @@ private slots:
     void thingsLightUpUnderTheMouseInEveryView()
     {
         openExample("bracket.step");
+        closeBanner();
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_2);
         drawn();

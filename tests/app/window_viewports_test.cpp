@@ -82,8 +82,7 @@ private slots:
     void aPressMakesAViewTheActiveOneAndDoesItsWork()
     {
         openExample("bracket.step");
-        if (m_window->banner().isVisible()) // it lies over the view that is pressed in
-            QTest::mouseClick(find<QToolButton>("bannerClose"), Qt::LeftButton);
+        closeBanner();
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_2); // clicks select faces
         drawn();

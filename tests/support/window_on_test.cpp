@@ -103,6 +103,12 @@ void WindowOnTest::lookWhereItTurns()
     drawn();
 }
 
+void WindowOnTest::closeBanner()
+{
+    if (m_window->banner().isVisible())
+        QTest::mouseClick(find<QWidget>("bannerClose"), Qt::LeftButton);
+}
+
 QString WindowOnTest::problem()
 {
     const QString said = m_window->banner().sentence();

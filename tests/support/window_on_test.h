@@ -85,6 +85,9 @@ protected:
     /// The view need not turn to fit before a person's eyes.
     void lookWhereItTurns();
 
+    /// As a person does who has read it, where it lies over what is to be seen or clicked.
+    void closeBanner();
+
     /// What went wrong, as the banner says it; empty when nothing did. That numbers are rough is no problem but a warning.
     QString problem();
 

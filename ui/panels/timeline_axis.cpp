@@ -48,7 +48,7 @@ TimelineAxis::TimelineAxis(std::function<QString(History::Entry)> nameOf, QWidge
 {
     setObjectName("timelineAxis");
     setMouseTracking(true);
-    setMinimumWidth(160);
+    setMinimumWidth(110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setFocusPolicy(Qt::NoFocus);
 }
