@@ -1,6 +1,6 @@
+#include "core/session/pull_spring.h"
 #include "ui/document/force_record.h"
 #include "ui/interaction/key_bindings.h"
-#include "core/session/pull_spring.h"
 #include "ui/interaction/space_hand.h"
 #include "ui/units.h"
 

@@ -264,7 +264,8 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
     const std::uint32_t resets = resetsIn(branch.gesture.commands);
-    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->steps.time)))(std::move(branch.gesture));
+    m_history.expect(Message("Document", "Branch at %1").with(timePhrase(moment->steps.time)))(
+        std::move(branch.gesture));
     goInSimulation(moment);
     if (resets > 0 || moment->steps.count > m_history.tree().record(m_target).step)
         m_playback.repeat(from, moment->steps.count, resets);

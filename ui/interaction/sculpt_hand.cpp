@@ -24,7 +24,7 @@ namespace {
 constexpr double usualShare = 0.06;    // radius of a brush, in sizes of the part
 constexpr double fewestSpacings = 1.6; // at least, so that some objects are in it
 constexpr double largestShare = 0.5;   // of the part
-constexpr double strokeCrossing = 1;   // a finger or a patch would cross the part in this time [s]
+constexpr double strokeCrossing = 2;   // a finger or a patch would cross the part in this time [s]
 constexpr double keyFactor = 1.15;     // of radius and strength with one key or notch of the wheel
 constexpr double moreForce = 1.5;      // with one key, at the limit
 constexpr double weakest = 0.1;        // of the strength that suits the material
