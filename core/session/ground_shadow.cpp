@@ -30,7 +30,7 @@ public:
     {
         if (x < 0 || y < 0 || x >= gridSide || y >= gridSide)
             return;
-        float& known = m_heights[static_cast<std::size_t>(y * gridSide + x)];
+        float& known = m_heights[static_cast<std::size_t>(y) * gridSide + static_cast<std::size_t>(x)];
         known = std::min(known, static_cast<float>(std::max(0.0, height - m_ground)));
     }
 
