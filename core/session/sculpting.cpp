@@ -11,37 +11,16 @@ namespace knead {
 
 namespace {
 
-constexpr double gapShare = 0.1;       // between a finger and the surface before and after, in radii
 constexpr double pinchedPatch = 0.35;  // radius of each of the four patches, in those of the brush
-constexpr double pinchedWay = 0.4;     // that they go towards the middle, of their distance from it
-constexpr double levelingRadius = 3;   // of the ball that smooths, in those of the brush
 constexpr double fewestSpacings = 1.2; // a patch reaches at least so far
-constexpr double patchStrength = 3;    // of a patch that is to flow, in limits of a spring that pulls it visibly
 constexpr double otherHandFrom = 0.6;  // what is farther than this share of the farthest is held by the other hand ...
 constexpr double otherHandRadii = 3;   // ... and farther than so many radii
-constexpr double smoothing = 0.5;      // share of the newest force: waves pass through
-constexpr double worthTelling = 0.02;  // of the largest speed
-constexpr double arrived = 0.02;       // a lifted finger has, so near, in its radii
-constexpr double lingering = 0.5;      // with a finger that something holds, beyond what its way takes [s]
 constexpr double stalled = 0.97;       // of its limit, which holds a finger
 
 Vec3 across(const Vec3& direction, const Vec3& normal)
 {
     const Vec3 part = direction - direction.dot(normal) * normal;
     return part.norm() > 1e-3 * direction.norm() ? Vec3(part.normalized()) : normal.unitOrthogonal();
-}
-
-/// None where there are no such objects: they may be of another filling.
-std::optional<Vec3> middleOf(const std::vector<ObjectIndex>& objects, const std::vector<Vec3>& places)
-{
-    Vec3 sum = Vec3::Zero();
-    std::size_t count = 0;
-    for (const ObjectIndex object : objects)
-        if (object < places.size()) {
-            sum += places[object];
-            ++count;
-        }
-    return count == 0 ? std::nullopt : std::optional(Vec3(sum / static_cast<double>(count)));
 }
 
 /// Of the body, what fixtures hold.
@@ -67,19 +46,6 @@ std::string freeName(const Snapshot& now, const std::string& stem, std::vector<s
             std::ranges::find(taken, name) == taken.end())
             return taken.emplace_back(std::move(name));
     }
-}
-
-ReshapeManipulator withLimit(const ToolState& tool, double limit)
-{
-    return {.tool = tool.id,
-            .size = tool.size,
-            .friction = tool.friction,
-            .speedLimit = tool.speedLimit,
-            .forceLimit = limit,
-            .kind = tool.kind,
-            .part = tool.part,
-            .adhesion = tool.adhesion,
-            .rollsFreely = tool.rollsFreely};
 }
 
 } // namespace
@@ -152,25 +118,6 @@ void SculptStroke::addTouches(const Snapshot& now)
         touch.name = freeName(now, usesFingers(m_choice.brush) ? "Finger" : "Grip", taken);
 }
 
-/// Objects near a place, as they lie now; those that are held otherwise stay where they are.
-void SculptStroke::addGrip(const Snapshot& now, const Vec3& mirror, const Vec3& place, const Vec3& aside, double radius,
-                           std::vector<std::uint8_t>& isTaken)
-{
-    const std::vector<Vec3>& positions = now.bodies[m_body].positions;
-    Touch touch{.mirror = mirror, .place = place, .aside = aside};
-    for (ObjectIndex object = 0; object < positions.size(); ++object)
-        if (isTaken[object] == 0 && (positions[object] - place - aside).norm() <= radius) {
-            isTaken[object] = 1;
-            touch.objects.push_back(object);
-        }
-    if (touch.objects.empty())
-        return;
-    touch.patch = touch.last = *middleOf(touch.objects, positions);
-    touch.spring = springFor(m_material, radius, m_choice.brush == SculptBrush::pull ? m_choice.pull : PullChoice{});
-    touch.spring.limit *= m_material.yields() ? patchStrength * m_choice.strength : m_choice.strength;
-    m_touches.push_back(std::move(touch));
-}
-
 /// As a sculptor's other hand does: what is far from all touches, where nothing else holds the body.
 void SculptStroke::addHold(const Snapshot& now)
 {
@@ -204,72 +151,6 @@ Vec3 SculptStroke::mirrored(const Vec3& place, const Vec3& mirror) const
     return m_choice.middle + mirror.cwiseProduct(place - m_choice.middle);
 }
 
-/// What a finger is, without its name and its place.
-Manipulator SculptStroke::finger() const
-{
-    const double radius = m_choice.radius;
-    Manipulator finger{.friction = 0.3, .speedLimit = m_choice.speed, .kind = ToolKind::ball};
-    finger.size = Vec3::Constant(2 * radius);
-    finger.forceLimit = thumbForce(m_material, radius);
-    switch (m_choice.brush) {
-    case SculptBrush::smooth:
-        finger.size *= levelingRadius;
-        finger.friction = 0.1;
-        finger.rollsFreely = true;
-        finger.forceLimit = thumbForce(m_material, levelingRadius * radius) / levelingRadius;
-        break;
-    case SculptBrush::flatten:
-        finger.kind = ToolKind::cylinder;
-        finger.size.z() = radius;
-        finger.friction = 0.1;
-        break;
-    case SculptBrush::smear:
-        finger.friction = 1.5;
-        finger.forceLimit *= 3;
-        break;
-    default:
-        break;
-    }
-    finger.forceLimit *= m_choice.strength;
-    return finger;
-}
-
-/// Where a finger is to be, above the surface as it was. It flattens to the plane around the first place, and levels what stands out;
-/// away it is above what stands out, too.
-Pose SculptStroke::poseOf(const Touch& touch, bool isAway) const
-{
-    const bool isFlat = m_choice.brush == SculptBrush::flatten;
-    const bool isLevel = isFlat || m_choice.brush == SculptBrush::smooth;
-    const Vec3 normal = isFlat ? m_start.normal : m_spot.normal;
-    Vec3 place = m_spot.place;
-    if (isLevel) {
-        const double depth = ((isFlat ? m_start.level : m_spot.level) - place).dot(normal);
-        place += (isAway ? std::max(0.0, depth) : depth) * normal;
-    }
-    const double above = isAway ? gapShare * m_choice.radius : height();
-    const double reach =
-        isFlat ? 0.5 * m_choice.radius : (m_choice.brush == SculptBrush::smooth ? levelingRadius : 1) * m_choice.radius;
-    const Vec3 outward = touch.mirror.cwiseProduct(normal);
-    Pose pose;
-    pose.position = mirrored(place, touch.mirror) + (reach + above) * outward;
-    if (isFlat)
-        pose.rotation = Quaternion::FromTwoVectors(Vec3::UnitZ(), outward);
-    return pose;
-}
-
-/// Above the surface as it was when the stroke began [m].
-double SculptStroke::height() const
-{
-    switch (m_choice.brush) {
-    case SculptBrush::thumb:
-        return -m_choice.radius; // until its limit holds it
-    case SculptBrush::smear:
-        return -m_choice.radius / 3;
-    default:
-        return 0;
-    }
-}
-
 std::vector<Command> SculptStroke::begin()
 {
     std::vector<Command> commands;
@@ -280,7 +161,7 @@ std::vector<Command> SculptStroke::begin()
             Manipulator tool = finger();
             tool.name = touch.name;
             tool.pose = poseOf(touch, true);
-            touch.limit = tool.forceLimit;
+            touch.limit = touch.toldLimit = tool.forceLimit;
             touch.told = tool.pose.position;
             commands.emplace_back(AddManipulator{std::move(tool)});
         } else {
@@ -288,12 +169,6 @@ std::vector<Command> SculptStroke::begin()
         }
     }
     return commands;
-}
-
-const ToolState* SculptStroke::toolOf(const Touch& touch, const Snapshot& now) const
-{
-    const auto found = std::ranges::find(now.tools, touch.name, &ToolState::name);
-    return found == now.tools.end() ? nullptr : &*found;
 }
 
 std::vector<Command> SculptStroke::follow(const Snapshot& now, bool hasAll)
@@ -310,105 +185,6 @@ std::vector<Command> SculptStroke::follow(const Snapshot& now, bool hasAll)
     if (m_isReleased && m_touches.empty())
         letGo(now, hasAll, commands);
     return commands;
-}
-
-void SculptStroke::moveFinger(Touch& touch, const Snapshot& now, bool hasAll, std::vector<Command>& commands)
-{
-    const ToolState* tool = toolOf(touch, now);
-    if (tool == nullptr) { // not there yet, or refused, or removed by somebody
-        touch.isGone = hasAll;
-        return;
-    }
-    if (!m_isReleased) {
-        if (tool->forceLimit != touch.limit) // it was strengthened before it was seen
-            commands.emplace_back(withLimit(*tool, touch.limit));
-        const Pose pose = poseOf(touch, false);
-        if ((pose.position - touch.told).norm() > worthTelling * m_choice.radius) {
-            touch.told = pose.position;
-            commands.emplace_back(SetManipulatorMotion{tool->id, GoTo{pose}});
-        }
-        return;
-    }
-    if (!touch.leaveBy) {
-        const Pose away = poseOf(touch, true);
-        touch.told = away.position;
-        touch.leaveBy = now.time + 2 * (away.position - tool->pose.position).norm() / tool->speedLimit + lingering;
-        commands.emplace_back(SetManipulatorMotion{tool->id, GoTo{away}});
-    } else if ((tool->pose.position - touch.told).norm() < arrived * m_choice.radius || now.time > *touch.leaveBy) {
-        touch.isGone = true;
-        commands.emplace_back(RemoveManipulator{tool->id});
-    }
-}
-
-std::optional<std::size_t> SculptStroke::fixtureOf(const std::string& name, const Snapshot& now)
-{
-    const auto found = std::ranges::find(now.fixtures, name, &Fixture::name);
-    return found == now.fixtures.end() ? std::nullopt
-                                       : std::optional(static_cast<std::size_t>(found - now.fixtures.begin()));
-}
-
-/// Of the patch [m]; where it was last while the snapshot does not tell.
-Vec3 SculptStroke::middleNow(const Touch& touch, const Snapshot& now) const
-{
-    const std::optional<std::size_t> index = fixtureOf(touch.name, now);
-    if (!index || now.fixtures[*index].objects != touch.objects)
-        return touch.last;
-    return middleOf(touch.objects, now.bodies[m_body].positions).value_or(touch.last);
-}
-
-/// From the patch to where the hand wants it [m], or [rad].
-Vec3 SculptStroke::wantedStep(const Touch& touch, const Snapshot& now) const
-{
-    const Vec3 way = touch.mirror.cwiseProduct(m_hand - m_start.place);
-    if (!turnsPatch(m_choice.brush))
-        return way - pinchedWay * touch.aside - (middleNow(touch, now) - touch.patch);
-    const Vec3 drawn = m_hand - m_start.place;
-    Vec3 angle = m_choice.brush == SculptBrush::bend ? Vec3(m_start.normal.cross(drawn) / m_choice.radius)
-                                                     : Vec3(-drawn.dot(m_right) / m_choice.radius * m_start.normal);
-    angle = touch.mirror.prod() * touch.mirror.cwiseProduct(angle); // it is a pseudovector
-    return angle - touch.turned;
-}
-
-void SculptStroke::moveGrip(Touch& touch, const Snapshot& now, double dt, std::vector<Command>& commands)
-{
-    const std::optional<std::size_t> index = fixtureOf(touch.name, now);
-    if (!index || m_isReleased)
-        return;
-    const Fixture& fixture = now.fixtures[*index];
-    const std::optional<Vec3> there = middleOf(fixture.objects, now.bodies[m_body].positions);
-    if (!there)
-        return;
-    if (fixture.objects != touch.objects) { // the body was filled anew
-        touch.objects = fixture.objects;
-        touch.patch += *there - touch.last;
-    }
-    const Vec3 middle = touch.last = *there;
-    touch.turned += dt * touch.turning;
-    const Vec3& force = now.fixtureForces[*index];
-    const Vec3 moment = now.fixtureMoments[*index] + (now.fixtureCenters[*index] - middle).cross(force);
-    touch.force += smoothing * (force - touch.force);
-    if (!now.fixtureMoments[*index].isZero(0)) // it is not known right after a moment was gone to
-        touch.moment += smoothing * (moment - touch.moment);
-    const Vec3 step = wantedStep(touch, now);
-    const auto goTo = m_material.yields() ? flowVelocity : pullVelocity;
-    Vec3 velocity;
-    Vec3 turning = Vec3::Zero();
-    if (turnsPatch(m_choice.brush)) {
-        velocity = pullVelocity(touch.spring, Vec3::Zero(), touch.force, m_choice.speed); // where no force is on it
-        turning = turnVelocity(touch.spring, step, touch.moment, m_choice.speed / m_choice.radius, goTo);
-    } else {
-        velocity = goTo(touch.spring, step, touch.force, m_choice.speed);
-    }
-    const double change = (velocity - touch.velocity).norm() + m_choice.radius * (turning - touch.turning).norm();
-    const double telling = touch.velocity.norm() + m_choice.radius * touch.turning.norm();
-    if (change <= worthTelling * std::max(telling, worthTelling * m_choice.speed))
-        return;
-    touch.velocity = velocity;
-    touch.turning = turning;
-    MoveFixture move{now.fixtureIds[*index], velocity};
-    if (!turning.isZero(0))
-        move.turn = {.center = middle, .angularVelocity = turning};
-    commands.emplace_back(move);
 }
 
 std::vector<Command> SculptStroke::release(const Snapshot& now, bool hasAll)
@@ -458,17 +234,12 @@ std::vector<Command> SculptStroke::abandon(const Snapshot& now, bool hasAll)
     return commands;
 }
 
-std::vector<Command> SculptStroke::strengthen(const Snapshot& now, double factor)
+void SculptStroke::strengthen(double factor)
 {
-    m_choice.strength *= factor;
-    std::vector<Command> commands;
     for (Touch& touch : m_touches) {
         touch.limit *= factor;
         touch.spring.limit *= factor;
-        if (const ToolState* tool = toolOf(touch, now))
-            commands.emplace_back(withLimit(*tool, touch.limit));
     }
-    return commands;
 }
 
 double SculptStroke::force(const Snapshot& now) const
@@ -494,14 +265,6 @@ bool SculptStroke::isAtLimit(const Snapshot& now) const
         return force(now) >= stalled * first.limit;
     const double arm = turnsPatch(m_choice.brush) ? first.spring.radius : 1;
     return first.spring.stiffness * arm * wantedStep(first, now).norm() > first.spring.limit;
-}
-
-Vec3 SculptStroke::placeNow(const Snapshot& now) const
-{
-    if (m_touches.empty() || usesFingers(m_choice.brush))
-        return m_spot.place;
-    const Touch& first = m_touches.front();
-    return first.place + first.aside + middleNow(first, now) - first.patch;
 }
 
 } // namespace knead

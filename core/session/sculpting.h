@@ -78,8 +78,8 @@ public:
     /// What is still there goes at once.
     std::vector<Command> abandon(const Snapshot& now, bool hasAll);
 
-    /// More force than suits the material. @return the commands for that
-    std::vector<Command> strengthen(const Snapshot& now, double factor);
+    /// Another limit of force from the next snapshot on.
+    void strengthen(double factor);
 
     double force(const Snapshot& now) const; ///< of the hand at the first place [N]
     bool isAtLimit(const Snapshot& now) const;
@@ -106,6 +106,7 @@ private:
         Vec3 turned = Vec3::Zero();         ///< so far [rad]
         Vec3 told = Vec3::Zero();           ///< where a finger was told to go [m]
         double limit = 0;                   ///< of a finger [N]
+        double toldLimit = 0;               ///< the same, as told [N]
         std::optional<double> leaveBy = {}; ///< a lifted finger is taken away then, simulated [s]
         bool isGone = false;
     };

@@ -57,8 +57,6 @@ public:
                m_now->notice.empty();
     }
 
-    void strengthen(SculptStroke& stroke, double factor) { post(stroke.strengthen(*m_now, factor)); }
-
     double largestForce() const { return m_largestForce; } ///< of the hand so far [N]
 
     /// Mean height of what lies within a radius of a place on top [m].
@@ -164,7 +162,7 @@ private slots:
             SculptStroke stroke = place.begin(choiceOf(SculptBrush::thumb, 6e-3), onTop(0, 0, 3 * spacing));
             place.hold(stroke, 0.3);
             if (isMore)
-                place.strengthen(stroke, 2);
+                stroke.strengthen(2);
             place.hold(stroke, 0.4);
             depth[isMore ? 1 : 0] = 3 * spacing - place.height(Vec3::Zero(), 2e-3);
         }

@@ -114,7 +114,7 @@ void SculptHand::changeStrength(double factor)
         choices.sculptStrength = 1;
     m_changed.start();
     if (isStroking())
-        post(m_stroke->strengthen(*m_document.frame()->snapshot, choices.sculptStrength / before));
+        m_stroke->strengthen(choices.sculptStrength / before);
     m_settings.set(choices);
     QTimer::singleShot(toldFor + 20, m_overlay, &ViewOverlay::refresh);
 }
