@@ -292,8 +292,11 @@ void applyTheme(QApplication& application, Theme theme)
         return true;
     }();
     Q_UNUSED(isStyled);
+    const QString sheet = styleSheet(colors);
+    if (application.styleSheet() == sheet)
+        return; // every widget of every window would be styled anew, which takes half a second
     QApplication::setPalette(paletteOf(colors));
-    application.setStyleSheet(styleSheet(colors));
+    application.setStyleSheet(sheet);
 }
 
 void setRole(QWidget& widget, const char* role)

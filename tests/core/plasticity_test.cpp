@@ -8,7 +8,7 @@ using namespace knead;
 namespace {
 
 constexpr double spacing = 2e-3;
-constexpr int cells = 8;
+constexpr int cells = 6;
 constexpr double height = cells * spacing;
 
 struct Pressed {
