@@ -97,9 +97,11 @@ protected:
         QVERIFY2(comesTrue([this] { return !snapshot().playing; }), "time does not stand still");
     }
 
-    /// In both themes and two sizes.
+    /// For people, when they ask for them: in both themes and two sizes.
     void pictures(const QString& name)
     {
+        if (qEnvironmentVariableIsEmpty("KNEAD_PICTURES"))
+            return;
         for (const Theme theme : {Theme::Dark, Theme::Light})
             for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
                 m_window->features().preferences->setTheme(theme);
