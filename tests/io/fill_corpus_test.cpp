@@ -1,22 +1,27 @@
 #include "core/aggregate/fill.h"
+#include "core/aggregate/pieces.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/mass_properties.h"
+#include "core/skin/fragments.h"
 #include "io/importer.h"
 #include "support/skip.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <set>
 
 using namespace knead;
 
 // Fills every closed solid of the folder of CAD files that KNEAD_CORPUS names: with 30 cells along the longest edge, and
-// with two cells across the thinnest wall where that is finer.
+// with two cells across the thinnest wall where that is finer. Then breaks it into pieces around five places. One test does both,
+// since it takes longer to read some of the files.
 
 namespace {
 
 constexpr double cellsAlong = 30;
 constexpr double cellsAcrossWall = 2;
+constexpr double cellsAlongBroken = 40;
 constexpr double mostObjects = 300'000; // what a minute for all files allows
 
 /// Its faces overlap by up to 0.06 mm: the volume is not known better than to a percent.
@@ -27,21 +32,44 @@ QString percent(double share)
     return QString::number(100 * share, 'g', 3) + " %";
 }
 
+std::vector<BrokenConnection> brokenAround(const Aggregate& aggregate, const Box& box)
+{
+    const Vec3 shares[] = {{0.2, 0.3, 0.6}, {0.8, 0.25, 0.3}, {0.45, 0.8, 0.4}, {0.6, 0.5, 0.9}, {0.4, 0.45, 0.1}};
+    const auto nearest = [&](const Vec3& X) {
+        const auto distance = [&](const Vec3& share) {
+            return (box.min() + share.cwiseProduct(box.sizes()) - X).norm();
+        };
+        return std::min_element(std::begin(shares), std::end(shares),
+                                [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); }) -
+               std::begin(shares);
+    };
+    std::vector<BrokenConnection> broken;
+    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+            for (ObjectIndex o = segment.begin; o < segment.end; ++o)
+                if (aggregate.weight[d][o] > 0 &&
+                    nearest(aggregate.lattice.position(o)) !=
+                        nearest(aggregate.lattice.position(o + static_cast<ObjectIndex>(segment.offset))))
+                    broken.push_back({d, o});
+    return broken;
+}
+
 } // namespace
 
 class FillCorpusTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void closedSolidsFill_data();
-    void closedSolidsFill();
+    void closedSolidsFillAndBreak_data();
+    void closedSolidsFillAndBreak();
 
 private:
     static void checkPart(const Part& part, bool isCertain);
     static void checkFilling(const Part& part, double spacing, double bound);
+    static void checkFragments(const Part& part);
 };
 
-void FillCorpusTest::closedSolidsFill_data()
+void FillCorpusTest::closedSolidsFillAndBreak_data()
 {
     QTest::addColumn<QString>("path");
     const QString corpus = qEnvironmentVariable("KNEAD_CORPUS");
@@ -53,7 +81,7 @@ void FillCorpusTest::closedSolidsFill_data()
         QTest::newRow("no corpus") << QString();
 }
 
-void FillCorpusTest::closedSolidsFill()
+void FillCorpusTest::closedSolidsFillAndBreak()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
@@ -65,6 +93,8 @@ void FillCorpusTest::closedSolidsFill()
             checkPart(part, !uncertainVolume.contains(QFileInfo(path).fileName().toStdString()));
         else
             ++open;
+        if (part.canBeFilled() && !QTest::currentTestFailed())
+            checkFragments(part);
         if (QTest::currentTestFailed())
             return;
     }
@@ -102,6 +132,40 @@ void FillCorpusTest::checkFilling(const Part& part, double spacing, double bound
     QVERIFY2(std::abs(aggregate.filledVolume / aggregate.meshVolume - 1) < 1e-9, qPrintable(what));
     for (const std::uint32_t face : aggregate.face)
         QVERIFY(face == Aggregate::noFace || face < part.faces.size());
+}
+
+void FillCorpusTest::checkFragments(const Part& part)
+{
+    const FillingSize size = sizeOf(part.mesh);
+    const Aggregate aggregate =
+        fill(part.mesh, {.spacing = spacingFor({SpacingChoice::Kind::CellsAlong, cellsAlongBroken}, size)});
+    const std::vector<BrokenConnection> broken = brokenAround(aggregate, size.box);
+    QElapsedTimer timer;
+    timer.start();
+    const std::vector<Fragment> fragments = fragmentsOf(aggregate, part.mesh, broken);
+    const auto milliseconds = timer.elapsed();
+    const double whole = massProperties(part.mesh).volume;
+    const double cell = std::pow(aggregate.lattice.spacing, 3);
+    double sum = 0;
+    double worst = 0;
+    std::size_t uncut = 0;
+    for (const Fragment& fragment : fragments) {
+        QVERIFY2(isWatertight(fragment.mesh), part.path.c_str());
+        QVERIFY2(fragment.volume > 0, part.path.c_str());
+        sum += fragment.volume;
+        uncut += fragment.isUncut ? 1 : 0;
+        double volume = 0;
+        for (const auto& objects : {fragment.objects, fragment.dust})
+            for (const ObjectIndex object : objects)
+                volume += aggregate.volume[object];
+        worst = std::max(worst, std::abs(fragment.volume - volume) / aggregate.filledVolume);
+    }
+    qInfo("%s: %zu triangles, %zu objects, %.0f cells of material, %zu fragments in %lld ms, %zu uncut, shares off by "
+          "%.4f",
+          part.path.c_str(), part.mesh.triangles.size(), aggregate.size(), whole / cell, fragments.size(),
+          static_cast<long long>(milliseconds), uncut, worst);
+    QVERIFY2(std::abs(sum / whole - 1) < 1e-9, qPrintable(QString::number(sum / whole - 1)));
+    QCOMPARE(uncut, std::size_t{0});
 }
 
 QTEST_GUILESS_MAIN(FillCorpusTest)
