@@ -24,6 +24,10 @@ endif()
 add_library(knead_settings INTERFACE)
 target_compile_options(knead_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -Wno-missing-field-initializers -Werror)   # options are structs with defaults, given by name
+# What people run has its asserts, too, and containers that end the program where an index is out of range: an error found at once
+# loses nothing that recovery does not bring back; one that goes on may write a wrong file.
+target_compile_options(knead_settings INTERFACE -UNDEBUG)
+target_compile_definitions(knead_settings INTERFACE _GLIBCXX_ASSERTIONS)
 if(KNEAD_SANITIZE)
     target_compile_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE} -fno-omit-frame-pointer -g)
     target_link_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE})
@@ -34,13 +38,6 @@ if(KNEAD_COVERAGE)
     target_compile_options(knead_settings INTERFACE -O1 --coverage -fprofile-update=prefer-atomic -Wno-error)
     target_link_options(knead_settings INTERFACE --coverage)
 endif()
-
-# Binaries of both kinds go together: layouts are the same.
-function(knead_check_indices target)
-    if(KNEAD_CHECK_INDICES)
-        target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
-    endif()
-endfunction()
 
 # A layer is one static library whose headers are included from the project root: "core/geometry/vec3.h".
 # The dependencies of a layer are the only include folders it sees, so a wrong arrow does not compile:
