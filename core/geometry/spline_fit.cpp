@@ -1,6 +1,7 @@
 #include "core/geometry/spline_fit.h"
 
 #include "core/geometry/grid_completion.h"
+#include "core/geometry/spline_fit_looks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,7 @@ namespace knead {
 namespace {
 
 constexpr int mostRounds = 24;
-constexpr std::size_t leastLooks = 3; // at errors within a span
 constexpr std::size_t mostLooks = 96; // along a span of a surface
-constexpr std::size_t mostLooksAlongCurves = 480;
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
 constexpr int mostSlopeRounds = 8;    // for normals
 constexpr double leastGain = 0.9;     // of a lean, by one round
@@ -24,93 +23,11 @@ constexpr double roundStep = 2e-2;       // of a feature or the surface, over wh
 constexpr double largestFactor = 10;     // for errors where it is round
 constexpr double lastSlack = 1.5;        // by which errors between the lines may be larger than along them
 
-/// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
-std::vector<double> looksInto(double begin, double end, double feature, std::size_t most)
-{
-    const double wanted = std::ceil(1.5 * (end - begin) / feature);
-    const auto count =
-        static_cast<std::size_t>(std::clamp(wanted, static_cast<double>(leastLooks), static_cast<double>(most)));
-    std::vector<double> looks;
-    for (std::size_t i = 0; i < count; ++i)
-        looks.push_back(begin + (end - begin) * (static_cast<double>(i) + 0.45) / static_cast<double>(count));
-    return looks;
-}
-
 /// Every so many of a list, its first included.
 std::size_t strideFor(std::size_t count)
 {
     return std::max<std::size_t>(1, count / mostLines);
 }
-
-bool anyOf(const std::vector<bool>& marks)
-{
-    return std::ranges::find(marks, true) != marks.end();
-}
-
-class CurveFitter {
-public:
-    CurveFitter(const CurveTarget& target, const SplineKnots& start, double feature, const SplineFitOptions& options)
-        : m_target(target)
-        , m_knots(start)
-        , m_feature(feature)
-        , m_options(options)
-    {
-    }
-
-    SplineFit<SplineCurve> run()
-    {
-        SplineFit<SplineCurve> fit;
-        for (int round = 0; round < mostRounds; ++round) {
-            const SplineBasis basis(m_knots, m_options.degree);
-            std::vector<Vec3> poles(basis.size());
-            m_target(basis.greville(), poles);
-            basis.interpolate(poles.data(), 1);
-            const std::vector<bool> missed = findMisses(basis, poles, fit.error);
-            fit.spline = {{m_knots.values, basis.multiplicities()}, m_options.degree, std::move(poles)};
-            fit.converged = !anyOf(missed);
-            if (fit.converged)
-                break;
-            m_knots = m_knots.split(missed);
-            if (m_knots.spans() > m_options.mostSpans)
-                break;
-        }
-        return fit;
-    }
-
-private:
-    std::vector<bool> findMisses(const SplineBasis& basis, const std::vector<Vec3>& poles, double& error) const
-    {
-        std::vector<double> parameters;
-        std::vector<std::size_t> spans;
-        for (std::size_t span = 0; span < m_knots.spans(); ++span)
-            for (const double parameter :
-                 looksInto(m_knots.values[span], m_knots.values[span + 1], m_feature, mostLooksAlongCurves)) {
-                parameters.push_back(parameter);
-                spans.push_back(span);
-            }
-        std::vector<Vec3> places(parameters.size());
-        m_target(parameters, places);
-        std::vector<bool> missed(m_knots.spans(), false);
-        error = 0;
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            SplineBasis::Values values;
-            const std::size_t first = basis.functionsAt(parameters[i], values);
-            Vec3 place = Vec3::Zero();
-            for (std::size_t k = 0; k <= static_cast<std::size_t>(m_options.degree); ++k)
-                place += values[k] * poles[first + k];
-            const double distance = (place - places[i]).norm();
-            error = std::max(error, distance);
-            if (!(distance <= m_options.tolerance))
-                missed[spans[i]] = true;
-        }
-        return missed;
-    }
-
-    const CurveTarget& m_target;
-    SplineKnots m_knots;
-    double m_feature;
-    const SplineFitOptions& m_options;
-};
 
 class SurfaceFitter {
 public:
@@ -468,12 +385,6 @@ private:
 };
 
 } // namespace
-
-SplineFit<SplineCurve> fitCurve(const CurveTarget& target, const SplineKnots& start, double feature,
-                                const SplineFitOptions& options)
-{
-    return CurveFitter(target, start, feature, options).run();
-}
 
 SplineFit<SplineSurface> fitSurface(const SurfaceToFit& wanted, const SplineFitOptions& options)
 {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 namespace knead {
 
@@ -14,19 +12,8 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-// Objects this deep below the skin touch too, with their middles [spacings].
-constexpr double shallowest = 0.3;
-constexpr double deepestLayer = 1.5;
-// Ends of broken connections touch so far from their middles [spacings].
-constexpr double looseReach = 0.5;
-// Of bodies that were filled without a skin, objects so deep touch [spacings].
-constexpr double skinDepth = 1 - 1e-6;
-
 // Normals of one side of a surface differ by less [cosine].
 constexpr double sameSide = 0.7;
-
-// So near to the plane of a knife [spacings].
-constexpr double nearPlane = 0.5;
 
 // What is deeper than this did not get there by touching [spacings].
 constexpr double mostTouching = 0.2;
@@ -34,12 +21,6 @@ constexpr double mostTouching = 0.2;
 // In a long step no more of what is kept is let out than this share, or this much, by the width of what the point stands for.
 constexpr double mostAtOnce = 0.25;
 constexpr double leastAtOnce = 0.03;
-
-double sectionOf(const Aggregate& aggregate, ObjectIndex object)
-{
-    const double a = aggregate.lattice.spacing;
-    return std::min(2 * aggregate.volume[object] / a, a * a);
-}
 
 Vec3 toLocal(const RigidSurface& surface, const Vec3& direction)
 {
@@ -51,55 +32,7 @@ Vec3 toWorld(const RigidSurface& surface, const Vec3& direction)
     return surface.isFloor ? direction : Vec3(surface.pose.rotation * direction);
 }
 
-/// A wire has no width that what it cuts could feel: its edge does it all.
-bool isCutByWire(const Material& material, const RigidSurface& surface)
-{
-    if (surface.isFloor || surface.shape.kind != ToolKind::cylinder || !material.isCut())
-        return false;
-    const auto blade = bladeOf(surface.shape);
-    return blade && blade->isWire();
-}
-
 } // namespace
-
-SurfaceContacts::SurfaceContacts(std::span<const ContactBody> bodies)
-{
-    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-        addPoints(bodies[b], b);
-        double area = 0;
-        for (const Point& point : m_points)
-            if (point.body == b && (point.isSkin || bodies[b].connections->aggregate().skin.empty()))
-                area += point.area;
-        m_widths.push_back(area > 0 ? 4 * bodies[b].connections->aggregate().filledVolume / area : 0);
-    }
-}
-
-void SurfaceContacts::addPoints(const ContactBody& body, std::uint32_t index)
-{
-    const Aggregate& aggregate = body.connections->aggregate();
-    const double a = aggregate.lattice.spacing;
-    const auto count = static_cast<std::uint32_t>(aggregate.skin.size());
-    for (std::uint32_t p = 0; p < count; ++p)
-        if (const auto spread = spreadOf(aggregate.lattice, aggregate.skin[p].place))
-            addPoint({.body = index,
-                      .number = p,
-                      .spread = *spread,
-                      .area = aggregate.skin[p].area,
-                      .isSkin = true,
-                      .parameters = {}});
-    const bool hasSkin = !m_points.empty() && m_points.back().body == index; // that belongs to its lattice
-    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
-        const double depth = aggregate.depth[i];
-        const bool touches = hasSkin ? depth > shallowest * a && depth < deepestLayer * a : depth < skinDepth * a;
-        if (touches)
-            addPoint({.body = index,
-                      .number = count + i,
-                      .spread = spreadOf(i),
-                      .area = sectionOf(aggregate, i),
-                      .reach = hasSkin ? 0 : std::max(depth, -a),
-                      .parameters = {}});
-    }
-}
 
 /// Of the contacts of some points, as they are now [J].
 double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
@@ -138,114 +71,6 @@ double SurfaceContacts::energy(std::span<const ContactBody> bodies, std::span<co
     return energyOf(bodies, surfaces, std::vector<std::uint8_t>(m_points.size(), 1));
 }
 
-double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
-                                         std::uint32_t body, std::size_t firstBroken)
-{
-    const StructuralConnections& connections = *bodies[body].connections;
-    const Aggregate& aggregate = connections.aggregate();
-    const std::vector<BrokenConnection>& broken = connections.changes().broken;
-    const auto firstLoose = static_cast<std::uint32_t>(aggregate.skin.size() + aggregate.size());
-    std::vector<std::vector<ObjectIndex>> apart(aggregate.size()); // from the lower end
-    std::vector<ObjectIndex> ends;
-    for (std::size_t n = firstBroken; n < broken.size(); ++n) {
-        const auto [lower, upper] = connections.endsOf(broken[n]);
-        apart[lower].push_back(upper);
-        ends.insert(ends.end(), {lower, upper});
-    }
-    const auto isTorn = [&](const PointSpread& spread) {
-        const auto begin = spread.objects.begin();
-        const auto end = begin + spread.count;
-        return std::any_of(begin, end, [&](ObjectIndex object) {
-            return std::any_of(apart[object].begin(), apart[object].end(),
-                               [&](ObjectIndex other) { return std::find(begin, end, other) != end; });
-        });
-    };
-    std::vector<std::uint8_t> isThere(aggregate.size(), 0);
-    std::vector<std::uint8_t> torn(m_points.size(), 0);
-    for (std::size_t p = 0; p < m_points.size(); ++p) {
-        Point& point = m_points[p];
-        if (point.body != body)
-            continue;
-        if (point.isLoose)
-            isThere[point.number - firstLoose] = 1;
-        else if (point.isActive && isTorn(point.spread)) {
-            point.isActive = false;
-            torn[p] = 1;
-        }
-    }
-    const double released = energyOf(bodies, surfaces, torn);
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    for (const ObjectIndex end : ends)
-        if (isThere[end] == 0)
-            addPoint({.body = body,
-                      .number = firstLoose + end,
-                      .spread = spreadOf(end),
-                      .area = sectionOf(aggregate, end),
-                      .reach = looseReach * aggregate.lattice.spacing,
-                      .isLoose = true,
-                      .isNew = true,
-                      .parameters = {}});
-    return released;
-}
-
-std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
-{
-    std::vector<Touch> touches = m_remembered;
-    for (std::size_t s = 0; s < m_near.size(); ++s)
-        for (const Near& near : m_near[s])
-            if (near.kept > 0 || near.side != 0 || !near.friction.isEmpty())
-                touches.push_back({.surface = m_listed[s],
-                                   .body = m_points[near.point].body,
-                                   .point = m_points[near.point].number,
-                                   .friction = near.friction,
-                                   .kept = near.kept,
-                                   .pressed = near.pressed,
-                                   .side = near.side});
-    return touches;
-}
-
-void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces, double margin)
-{
-    using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
-    std::map<Key, Touch> before;
-    for (const Touch& touch : memory())
-        before.insert_or_assign({touch.surface, touch.body, touch.point}, touch);
-    m_remembered.clear();
-    m_near.assign(surfaces.size(), {});
-    m_listed.clear();
-    double largestReach = 0;
-    for (const ContactBody& body : bodies)
-        largestReach = std::max(largestReach, body.spacing());
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + margin);
-        m_listed.push_back(surfaces[s].id);
-        for (std::uint32_t p = 0; p < m_points.size(); ++p) {
-            const Point& point = m_points[p];
-            const ContactBody& body = bodies[point.body];
-            if (!point.isActive || body.kind == BodyKind::glue)
-                continue;
-            const Vec3 place = point.spread.at(body.state->position);
-            if (!box.contains(place) || isCutByWire(body.materialOf(point.spread.main()), surfaces[s]))
-                continue;
-            Near near{.point = p, .side = sideOf(point, body, surfaces[s])};
-            const auto found = before.find({surfaces[s].id, point.body, point.number});
-            const bool isKnown = found != before.end();
-            if (isKnown) {
-                near.friction = found->second.friction;
-                near.kept = found->second.kept;
-                near.pressed = found->second.pressed;
-            }
-            // Seen from its other side a knife is somewhere else: what is pushed stays where it is.
-            if (isKnown ? found->second.side != near.side : point.isNew)
-                near.kept = std::max(0.0, point.reach - nearest(near, surfaces[s], place).distance);
-            m_near[s].push_back(near);
-        }
-    }
-    for (Point& point : m_points)
-        point.isNew = false;
-}
-
 /// What lies ahead of the edge of a knife that cuts it touches nothing, and is as deep in its flank then as it is when the edge comes
 /// by.
 bool SurfaceContacts::waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place)
@@ -275,28 +100,6 @@ void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<c
             near.normal = toLocal(before, nearest.normal);
         }
     }
-}
-
-/// On which side of a knife that cuts its material a point is. An end of a connection that lies in the plane of the cut is opposite to
-/// what it was connected to.
-std::int8_t SurfaceContacts::sideOf(const Point& point, const ContactBody& body, const RigidSurface& surface)
-{
-    if (surface.isFloor || surface.shape.kind != ToolKind::wedge || !body.materialOf(point.spread.main()).isCut() ||
-        !bladeOf(surface.shape))
-        return 0;
-    const auto heightOf = [&](const Vec3& place) { return surface.pose.toLocal(place).y() / body.spacing(); };
-    double across = heightOf(point.spread.at(body.state->position));
-    if (point.isLoose && std::abs(across) < nearPlane) {
-        const ObjectIndex object = point.spread.objects[0];
-        double lost = 0;
-        body.connections->forEachConnectionMade(object, [&](ObjectIndex neighbor, const ConnectionId& id) {
-            if (body.connections->stiffness()[id.direction][id.lower] == 0)
-                lost += heightOf(body.state->position.at(neighbor));
-        });
-        if (std::abs(lost) > nearPlane)
-            across = -lost;
-    }
-    return across < 0 ? -1 : 1;
 }
 
 /// Of a surface; of what went past its edge within the step, of the plane that it came in through; of what a knife cut, of its flank.
