@@ -119,6 +119,8 @@ void SceneView::showFrame(const FramePointer& frame)
         showObjects();
         showRegions();
     }
+    for (std::size_t b = 0; b < frame->contactShades.size(); ++b)
+        m_parts->skins[b]->setContactShades(frame->contactShades[b]);
     m_parts->fields->showFrame(frame);
     showTools();
     m_isShadowNew = true;

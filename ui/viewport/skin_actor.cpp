@@ -31,6 +31,7 @@ struct SkinActor::Parts {
     std::vector<unsigned char>
         plain;                 ///< colors without shades; empty where they tell values, which shades would falsify
     std::vector<float> shades; ///< see BodyFrame
+    std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -120,6 +121,14 @@ void SkinActor::show(const BodyFrame& frame)
     m_parts->normals->Modified();
     m_parts->faces->Modified();
     m_parts->edges->Modified();
+}
+
+void SkinActor::setContactShades(std::shared_ptr<const std::vector<float>> shades)
+{
+    if (shades == m_parts->contactShades)
+        return;
+    m_parts->contactShades = std::move(shades);
+    showColors();
 }
 
 void SkinActor::setVisible(bool faces, bool edges)

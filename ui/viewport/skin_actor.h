@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 class vtkPlaneCollection;
 class vtkRenderer;
@@ -24,6 +25,8 @@ public:
     SkinActor& operator=(const SkinActor&) = delete;
 
     void show(const BodyFrame& frame);
+    /// Of tools beside it, see Frame::contactShades; null: none is near. After show().
+    void setContactShades(std::shared_ptr<const std::vector<float>> shades);
     void setVisible(bool faces, bool edges);
     void setEdges(const Color& color, float width);
     /// Colors the surface face by face.
