@@ -25,6 +25,6 @@ std::vector<float> contactShades(std::span<const float> points, std::span<const 
                                  std::span<const ToolState> tools);
 
 /// What contactShades() takes off where all light is kept off.
-inline constexpr double contactDarkest = 0.62;
+inline constexpr double contactDarkest = 0.75;
 
 } // namespace knead

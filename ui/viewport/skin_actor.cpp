@@ -1,5 +1,6 @@
 #include "ui/viewport/skin_actor.h"
 
+#include "core/session/relief.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
@@ -32,6 +33,7 @@ struct SkinActor::Parts {
         plain;                 ///< colors without shades; empty where they tell values, which shades would falsify
     std::vector<float> shades; ///< see BodyFrame
     std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
+    Shading shading = Shading::usual;
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -159,18 +161,27 @@ void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorO
     showColors();
 }
 
-/// Darker in hollows, where the colors are those of the part.
+/// Darker in hollows and beside tools, where the colors are those of the part.
 void SkinActor::showColors()
 {
     const std::vector<unsigned char>& plain = m_parts->plain;
     const std::vector<float>& shades = m_parts->shades;
+    const std::vector<float>* contact = m_parts->contactShades.get();
+    const bool hasShades = 3 * shades.size() == plain.size();
+    const bool hasContact = contact != nullptr && 3 * contact->size() == plain.size();
+    const bool tellsBend = m_parts->shading == Shading::curvature;
     unsigned char* out = m_parts->colors->GetPointer(0);
-    if (3 * shades.size() == plain.size())
-        std::transform(plain.begin(), plain.end(), out, [&, n = std::size_t{0}](unsigned char byte) mutable {
-            return static_cast<unsigned char>(std::min(255.0F, static_cast<float>(byte) * shades[n++ / 3] + 0.5F));
-        });
-    else
-        std::copy(plain.begin(), plain.end(), out);
+    for (std::size_t vertex = 0; 3 * vertex < plain.size(); ++vertex) {
+        Color share{1, 1, 1};
+        if (hasShades)
+            share = tellsBend ? curvatureTint(bendOfShade(shades[vertex]))
+                              : Color{shades[vertex], shades[vertex], shades[vertex]};
+        const float kept = hasContact ? (*contact)[vertex] : 1;
+        const float shares[] = {kept * share.r, kept * share.g, kept * share.b};
+        for (std::size_t c = 0; c < 3; ++c)
+            *out++ = static_cast<unsigned char>(
+                std::min(255.0F, static_cast<float>(plain[3 * vertex + c]) * shares[c] + 0.5F));
+    }
     m_parts->colors->Modified();
     m_parts->faces->Modified();
 }
@@ -215,6 +226,7 @@ void SkinActor::tint(double share, const std::function<std::optional<Color>(std:
 void SkinActor::setShading(Shading shading, MaterialLook look)
 {
     shadeFaces(*m_parts->faceActor, shading, look);
+    m_parts->shading = shading;
 }
 
 void SkinActor::setOpacity(double opacity)

@@ -35,6 +35,7 @@ public:
     void setValues(std::span<const float> values, const ColorScale& scale);
     /// Mixes the colors of some faces with another, on top of either. @param share of that, 0 .. 1
     void tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf);
+    /// Before setColors(), whose colors curvature mixes with its own.
     void setShading(Shading shading, MaterialLook look);
     void setOpacity(double opacity);              ///< 0 .. 1; below 1 only what faces the eye is drawn
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
