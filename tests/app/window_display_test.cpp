@@ -1,3 +1,4 @@
+#include "core/session/edge_sight.h"
 #include "support/window_on_test.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
@@ -291,10 +292,55 @@ private slots:
                                          .arg(clipped)
                                          .arg(darkest)
                                          .arg(brightest);
-                qInfo("%s", qPrintable(what));
                 QVERIFY2(clipped < 0.01, qPrintable(what));
+                const bool isDark = QByteArray(color) == "#202020";
+                QVERIFY2(brightest - darkest > (isDark ? 15 : 60), qPrintable(what));
+                QVERIFY2(brightest > (isDark ? 35 : 200) && brightest < 250, qPrintable(what));
             }
         }
+    }
+
+    /// They stuck out as single dashes where they begin at the outline.
+    void edgesBehindThePartDoNotStickOut()
+    {
+        openExample("bracket.step");
+        action("grid")->setChecked(false);
+        action("viewIsometric")->trigger();
+        rest();
+        const QImage with = shot();
+        action("edges")->setChecked(false);
+        const QImage without = shot();
+        const Camera& camera = view().camera();
+        std::vector<std::pair<QPointF, QPointF>> seen; // on the screen
+        for (std::size_t b = 0; b < document().frame()->bodies.size(); ++b) {
+            const RenderMesh& mesh = document().frame()->filled[b]->render;
+            const BodyFrame& frame = *document().frame()->bodies[b];
+            const std::vector<bool> isSeen = EdgeSight(mesh).seenFrom(
+                frame.points, camera.perspective ? std::optional(camera.eye()) : std::nullopt, camera.towardsEye());
+            for (std::size_t e = 0; e < isSeen.size(); ++e)
+                if (isSeen[e])
+                    seen.emplace_back(*view().widgetPosition(frame.point(mesh.edges[e][0])),
+                                      *view().widgetPosition(frame.point(mesh.edges[e][1])));
+        }
+        const auto distanceFrom = [](const QPointF& place, const std::pair<QPointF, QPointF>& edge) {
+            const QPointF way = edge.second - edge.first;
+            const double square = std::max(1e-9, QPointF::dotProduct(way, way));
+            const double along = std::clamp(QPointF::dotProduct(place - edge.first, way) / square, 0.0, 1.0);
+            const QPointF off = place - edge.first - along * way;
+            return std::hypot(off.x(), off.y());
+        };
+        int drawn = 0;
+        int stray = 0;
+        for (int y = 0; y < with.height(); ++y)
+            for (int x = 0; x < with.width(); ++x) {
+                if (std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y))) < 30)
+                    continue;
+                ++drawn;
+                const QPointF place(x + 0.5, y + 0.5);
+                stray += std::ranges::none_of(seen, [&](const auto& edge) { return distanceFrom(place, edge) < 2.2; });
+            }
+        QVERIFY(drawn > 500);
+        QCOMPARE(stray, 0);
     }
 
     void contactForceShowsWhereTheFloorPresses()

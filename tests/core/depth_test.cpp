@@ -1,11 +1,13 @@
 // What tells the eye of depth: shades of hollows and ridges, and the shadow on the ground.
 #include "core/session/contact_shade.h"
+#include "core/session/edge_sight.h"
 #include "core/session/frame.h"
 #include "core/session/ground_shadow.h"
 #include "core/session/relief.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -87,6 +89,7 @@ private slots:
         QVERIFY2(ridge > 1.03F && ridge < 1.13F, qPrintable(QString::number(ridge)));
         QVERIFY(std::abs(beside - 1) < 0.02F);
         QCOMPARE(Sheet(0).shades().first, 1.0F);
+        QVERIFY(bendOfShade(hollow) > 0.4F && bendOfShade(ridge) < -0.25F && bendOfShade(1) == 0);
     }
 
     void whatTouchesTheGroundIsDarkestUnderneath()
@@ -167,6 +170,24 @@ private slots:
             }
             QCOMPARE(before, 1.0);
         }
+    }
+
+    /// Of a cube one sees 9 edges at a corner, and from right before a face only its own 4, unless one is far away.
+    void edgesBehindTheMaterialAreNotSeen()
+    {
+        const RenderMesh cube = renderMesh(meshOf({ToolKind::box, Vec3::Ones(), nullptr}));
+        const EdgeSight sight(cube);
+        std::vector<Vec3> places = meshOf({ToolKind::box, Vec3::Ones(), nullptr}).vertices;
+        const std::vector<float> points = renderPoints(cube, places);
+        const auto seen = [&](const std::optional<Vec3>& eye, const Vec3& towards) {
+            const std::vector<bool> edges = sight.seenFrom(points, eye, towards);
+            return std::count(edges.begin(), edges.end(), true);
+        };
+        QCOMPARE(cube.edges.size(), std::size_t{12});
+        QCOMPARE(seen(Vec3(5, 4, 3), Vec3::UnitX()), 9);
+        QCOMPARE(seen(std::nullopt, Vec3(3, 2, 1).normalized()), 9);
+        QCOMPARE(seen(Vec3(0.1, 0.1, 3), Vec3::UnitZ()), 4);
+        QCOMPARE(seen(Vec3(5, 4, 0.2), Vec3::UnitX()), 7);
     }
 
     void thirtyThousandVerticesTakeMilliseconds()

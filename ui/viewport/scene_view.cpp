@@ -306,6 +306,8 @@ void SceneView::setCamera(const Camera& camera)
     eye->SetParallelScale(camera.viewHeight() / 2);
     m_parts->cube->setCamera(camera);
     const int* size = m_parts->renderer->GetRenderWindow()->GetSize();
+    for (const auto& skin : m_parts->skins)
+        skin->hideEdgesBehind(camera);
     m_parts->fields->setCamera(camera, static_cast<double>(size[0]) / std::max(1, size[1]));
     clipToScene();
 }

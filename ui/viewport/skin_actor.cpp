@@ -1,5 +1,6 @@
 #include "ui/viewport/skin_actor.h"
 
+#include "core/session/edge_sight.h"
 #include "core/session/relief.h"
 #include "ui/viewport/stroke_actor.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +36,9 @@ struct SkinActor::Parts {
     std::vector<float> shades; ///< see BodyFrame
     std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
     Shading shading = Shading::usual;
+    std::optional<EdgeSight> sight; ///< once it was asked for
+    std::vector<bool> seenEdges;    ///< that are drawn; at first all
+    vtkSmartPointer<vtkPlaneCollection> clipping;
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -82,10 +87,8 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->faces->SetPolys(triangles);
     m_parts->faces->GetPointData()->SetNormals(m_parts->normals);
     m_parts->faces->GetPointData()->SetScalars(m_parts->colors);
-    vtkNew<vtkCellArray> lines;
-    fillCells(lines, mesh.edges);
     m_parts->edges->SetPoints(m_parts->points);
-    m_parts->edges->SetLines(lines);
+    drawEdges(std::vector<bool>(mesh.edges.size(), true));
 
     m_parts->faceMapper->SetInputData(m_parts->faces);
     m_parts->faceMapper->SetColorModeToDirectScalars();
@@ -131,6 +134,41 @@ void SkinActor::setContactShades(std::shared_ptr<const std::vector<float>> shade
         return;
     m_parts->contactShades = std::move(shades);
     showColors();
+}
+
+/// Through glass and where the body is cut open one sees them all.
+void SkinActor::hideEdgesBehind(const Camera& camera)
+{
+    if (!m_parts->edgeActor->GetVisibility())
+        return;
+    const bool isSolid = m_parts->faceActor->GetVisibility() && m_parts->faceActor->GetProperty()->GetOpacity() >= 1 &&
+                         (!m_parts->clipping || m_parts->clipping->GetNumberOfItems() == 0);
+    if (!isSolid) {
+        drawEdges(std::vector<bool>(m_parts->seenEdges.size(), true));
+        return;
+    }
+    if (!m_parts->sight)
+        m_parts->sight.emplace(m_body->render);
+    const auto* points = static_cast<const float*>(m_parts->points->GetData()->GetVoidPointer(0));
+    drawEdges(m_parts->sight->seenFrom({points, 3 * m_body->render.source.size()},
+                                       camera.perspective ? std::optional(camera.eye()) : std::nullopt,
+                                       camera.towardsEye()));
+}
+
+void SkinActor::drawEdges(const std::vector<bool>& isSeen)
+{
+    if (isSeen == m_parts->seenEdges)
+        return;
+    m_parts->seenEdges = isSeen;
+    vtkNew<vtkCellArray> lines;
+    for (std::size_t e = 0; e < isSeen.size(); ++e)
+        if (isSeen[e]) {
+            lines->InsertNextCell(2);
+            for (const std::uint32_t vertex : m_body->render.edges[e])
+                lines->InsertCellPoint(vertex);
+        }
+    m_parts->edges->SetLines(lines);
+    m_parts->edges->Modified();
 }
 
 void SkinActor::setVisible(bool faces, bool edges)
@@ -237,6 +275,7 @@ void SkinActor::setOpacity(double opacity)
 
 void SkinActor::setClipping(vtkPlaneCollection* planes)
 {
+    m_parts->clipping = planes;
     m_parts->faceMapper->SetClippingPlanes(planes);
     m_parts->edgeMapper->SetClippingPlanes(planes);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/session/frame.h"
+#include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
 #include "ui/viewport/skin_shading.h"
@@ -27,6 +28,8 @@ public:
     void show(const BodyFrame& frame);
     /// Of tools beside it, see Frame::contactShades; null: none is near. After show().
     void setContactShades(std::shared_ptr<const std::vector<float>> shades);
+    /// Leaves out edges that lie behind the material. For closed bodies, before each drawing.
+    void hideEdgesBehind(const Camera& camera);
     void setVisible(bool faces, bool edges);
     void setEdges(const Color& color, float width);
     /// Colors the surface face by face.
@@ -42,6 +45,7 @@ public:
 
 private:
     void showColors();
+    void drawEdges(const std::vector<bool>& isSeen);
 
     struct Parts;
     std::shared_ptr<const FilledBody> m_body;

@@ -90,7 +90,7 @@ constexpr const char* porcelainLight = R"(//VTK::Light::Impl
 // Lights may add up to more than white. What is brighter than `knee` nears white ever more slowly, so that a white part keeps its
 // gradients; what is darker stays as it is. All channels by the same share, so that colors stay what they are.
 constexpr const char* softLight = R"(//VTK::Light::Impl
-  const float knee = 0.68;
+  const float knee = 0.75;
   float brightest = max(gl_FragData[0].r, max(gl_FragData[0].g, gl_FragData[0].b));
   if (brightest > knee)
     gl_FragData[0].rgb *= (1.0 - (1.0 - knee) * exp(-(brightest - knee) / (1.0 - knee))) / brightest;
