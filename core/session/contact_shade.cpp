@@ -13,8 +13,9 @@ namespace knead {
 namespace {
 
 constexpr std::size_t verticesAtOnce = 2048; // per thread
+constexpr double reachOfPart = 0.3;          // in sizes: each distance of an imported part takes microseconds
 
-/// Area of the shadow that a convex tool throws along a direction of its own frame: half of sum A |n . u| over its faces [m^2].
+/// Area of the shadow that a convex tool throws along a direction u of its frame [m^2]: sum of A |n . u| / 2 over faces.
 double silhouetteArea(const ToolShape& shape, const Vec3& direction)
 {
     const Vec3 u = direction.cwiseAbs();
@@ -37,7 +38,8 @@ double silhouetteArea(const ToolShape& shape, const Vec3& direction)
     return s.y() * s.z() * u.x() + s.z() * s.x() * u.y() + s.x() * s.y() * u.z();
 }
 
-/// Share of the light from above that a ball keeps off. @param h its distance in radii, at least 1 @param c cosine of its height
+/// Share of the light from above that a ball keeps off, see contactShades().
+/// @param h its distance in radii, at least 1 @param c cosine of the angle between it and the normal
 double formFactor(double h, double c)
 {
     const double beyond = std::max(h * h - 1, 1e-9);
@@ -56,7 +58,7 @@ public:
         : m_surface{.id = tool.id,
                     .shape = {tool.kind, fittingSize(tool.kind, tool.size, tool.part.get()), tool.part},
                     .pose = tool.pose}
-        , m_reach(m_surface.shape.size.maxCoeff())
+        , m_reach(m_surface.shape.size.maxCoeff() * (tool.kind == ToolKind::part ? reachOfPart : 1))
         , m_radius(m_surface.shape.size.norm() / 2)
         , m_box(m_surface.reach(m_reach))
     {

@@ -8,8 +8,9 @@
 
 namespace knead {
 
-/// Which feature edges of a closed surface may be seen from somewhere: an edge whose triangles both look away lies behind the material. Depth
-/// alone does not tell near the outline, where such an edge begins: it would stick out as a dash of a few pixels.
+/// Which feature edges of a closed surface may be seen from somewhere: an edge whose triangles both look away lies
+/// behind the material. Depth alone does not tell near the outline, where such an edge begins: it would stick out as a
+/// dash of a few pixels.
 class EdgeSight {
 public:
     /// @param mesh of a closed surface that is seen from outside

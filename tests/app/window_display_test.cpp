@@ -697,8 +697,8 @@ private:
         return static_cast<double>(count) / a.width() / a.height();
     }
 
-    /// Of a part: share of its pixels that are white altogether, and the gray that 2 % of them are darker, and brighter than. Its pixels are
-    /// those where it makes a difference whether it is black or white.
+    /// Of a part: share of its pixels that are white altogether, and the gray that 2 % of them are darker, and brighter
+    /// than. Its pixels are those where it makes a difference whether it is black or white.
     struct Light {
         double clipped = 0;
         int darkest = 0;

@@ -119,7 +119,8 @@ private slots:
         QVERIFY(darknessAt(shadow, 0.5, 0) < 0.05F);
     }
 
-    /// A ball of radius R whose middle is H above a plane keeps H R^2 / d^3 of the light off a place at distance d of its middle.
+    /// A ball of radius R whose middle is H above a plane keeps H R^2 / d^3 of the light off a place at distance d of
+    /// its middle.
     void aBallAboveAPlaneDarkensItAsItsSolidAngleSays()
     {
         const double radius = 0.25;
@@ -142,7 +143,8 @@ private slots:
         QCOMPARE(shadeAt(Vec3::Zero(), -Vec3::UnitZ(), touching), 1.0); // it is behind the sheet
     }
 
-    /// At the foot of a high wall half of the sky is gone; a ball in the horizon hides (atan(1 / q) - q / h^2) / pi, q^2 = h^2 - 1.
+    /// At the foot of a high wall half of the sky is gone; a ball in the horizon hides (atan(1 / q) - q / h^2) / pi,
+    /// q^2 = h^2 - 1.
     void theHorizonCutsWhatStandsBeside()
     {
         const ToolState wall = toolAt(ToolKind::box, Vec3::Ones(), Vec3(0.5 + 1e-7, 0, 0));
@@ -214,6 +216,16 @@ private slots:
         QVERIFY2(least < 0.06,
                  qPrintable(QString("%1 s").arg(least))); // some 5 ms, sanitizers and loaded machines apart
         QVERIFY(contactShades(points, normals, {{toolAt(ToolKind::ball, Vec3::Ones(), Vec3(0, 0, 9))}}).empty());
+        ToolState part = toolAt(ToolKind::part, Vec3::Ones(), Vec3(0.5, 0.5, 0.13)); // a quarter of the sheet
+        part.part = std::make_shared<ToolPart>(meshOf({ToolKind::ball, Vec3::Constant(0.25), nullptr}));
+        least = 1e9;
+        for (int n = 0; n < 3; ++n) {
+            const auto start = std::chrono::steady_clock::now();
+            QVERIFY(!contactShades(points, normals, {{part}}).empty());
+            least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        }
+        qInfo("%.2f ms with a part", 1e3 * least);
+        QVERIFY2(least < 0.2, qPrintable(QString("%1 s").arg(least)));
     }
 
     /// Time stands still then, and the surface with it.

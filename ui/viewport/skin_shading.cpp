@@ -53,7 +53,8 @@ constexpr const char* waxLight = R"(//VTK::Light::Impl
   float through = pow(1.0 - facing, 2.5);
   float shine = pow(max(0.0, dot(normalVCVSOutput, normalize(lamp + toEye))), 14.0);
   vec3 warm = mix(diffuseColor * vec3(0.62, 0.50, 0.46), diffuseColor, smoothstep(0.05, 0.95, wrapped));
-  vec3 wax = (0.28 + 0.58 * wrapped) * warm + 0.40 * through * mix(diffuseColor, vec3(1.0, 0.86, 0.70), 0.6) + 0.20 * shine;
+  vec3 wax = (0.28 + 0.58 * wrapped) * warm + 0.20 * shine;
+  wax += 0.40 * through * mix(diffuseColor, vec3(1.0, 0.86, 0.70), 0.6);
   gl_FragData[0].rgb = clamp(wax, 0.0, 1.0);
 )";
 
@@ -87,8 +88,8 @@ constexpr const char* porcelainLight = R"(//VTK::Light::Impl
   gl_FragData[0].rgb = clamp(mix(body, vec3(0.78, 0.82, 0.88), 0.45 * rim) + 0.30 * panes, 0.0, 1.0);
 )";
 
-// Lights may add up to more than white. What is brighter than `knee` nears white ever more slowly, so that a white part keeps its
-// gradients; what is darker stays as it is. All channels by the same share, so that colors stay what they are.
+// Lights may add up to more than white. What is brighter than `knee` nears white ever more slowly, so that a white part
+// keeps its gradients; what is darker stays as it is. All channels by the same share, so that colors stay what they are.
 constexpr const char* softLight = R"(//VTK::Light::Impl
   const float knee = 0.75;
   float brightest = max(gl_FragData[0].r, max(gl_FragData[0].g, gl_FragData[0].b));

@@ -23,8 +23,8 @@ enum class Shading {
 /// The color of faces for a shading, of those that the part has.
 Color colorFor(Shading shading, const Color& own);
 
-/// What the color of a vertex is multiplied with where the shading tells curvature: that of the map over that of flat places, so that
-/// marks on faces stay visible. @param bend see bendOfShade()
+/// What the color of a vertex is multiplied with where the shading tells curvature: that of the map over that of flat
+/// places, so that marks on faces stay visible. @param bend see bendOfShade()
 Color curvatureTint(float bend);
 
 /// The legend of Shading::curvature: colors by words instead of numbers.
