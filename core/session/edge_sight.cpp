@@ -11,7 +11,7 @@ namespace {
 
 constexpr double grazing = 1e-4; // sine of the angle below which a triangle counts as seen
 
-std::uint64_t keyOf(std::uint32_t a, std::uint32_t b)
+std::uint64_t edgeKeyOf(std::uint32_t a, std::uint32_t b)
 {
     return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
 }
@@ -24,11 +24,11 @@ EdgeSight::EdgeSight(const RenderMesh& mesh)
     std::unordered_map<std::uint64_t, std::uint32_t>
         edges; // render vertices are split along them: by what these are split from
     for (std::uint32_t e = 0; e < mesh.edges.size(); ++e)
-        edges.emplace(keyOf(mesh.source[mesh.edges[e][0]], mesh.source[mesh.edges[e][1]]), e);
+        edges.emplace(edgeKeyOf(mesh.source[mesh.edges[e][0]], mesh.source[mesh.edges[e][1]]), e);
     std::vector<int> found(mesh.edges.size(), 0);
     for (const Triangle& triangle : mesh.triangles)
         for (std::size_t side = 0; side < 3; ++side) {
-            const auto edge = edges.find(keyOf(mesh.source[triangle[side]], mesh.source[triangle[(side + 1) % 3]]));
+            const auto edge = edges.find(edgeKeyOf(mesh.source[triangle[side]], mesh.source[triangle[(side + 1) % 3]]));
             if (edge == edges.end())
                 continue;
             auto& [first, second] = m_sides[edge->second];
