@@ -25,7 +25,8 @@ namespace {
 constexpr const char* quantityNames[surfaceQuantityCount] = {"displacement",  "strain",       "vonMisesStress",
                                                              "plasticStrain", "contactForce", "distance"};
 
-constexpr const char* shadingNames[] = {"usual", "clay", "polished", "zebra"}; // in the order of Shading
+constexpr const char* shadingNames[] = {"usual",     "clay", "polished", "zebra",
+                                        "curvature", "wax",  "chrome",   "porcelain"}; // in the order of Shading
 
 QString settingOf(const QAction* action)
 {
@@ -176,12 +177,20 @@ void Display::makeShadings()
     m_shadings = makeGroup({{"shadingUsual", tr("Usual")},
                             {"shadingClay", tr("Clay")},
                             {"shadingPolished", tr("Polished")},
-                            {"shadingZebra", tr("Zebra")}},
+                            {"shadingZebra", tr("Zebra")},
+                            {"shadingCurvature", tr("Curvature")},
+                            {"shadingWax", tr("Wax")},
+                            {"shadingChrome", tr("Chrome")},
+                            {"shadingPorcelain", tr("Porcelain")}},
                            {});
     const QString tips[] = {tr("Faces have the colors of the part, in soft light"),
                             tr("All parts in one matt color: nothing but their shape is seen"),
                             tr("Parts shine as polished metal does"),
-                            tr("Parts mirror stripes, which break where faces do not join smoothly")};
+                            tr("Parts mirror stripes, which break where faces do not join smoothly"),
+                            tr("Blue where parts are hollow, white where they are flat, orange where they bulge"),
+                            tr("Parts are soft and shine through at their rims"),
+                            tr("All parts mirror a sky and the ground, which shows every dent"),
+                            tr("All parts are white and glazed")};
     for (QAction* action : m_shadings->actions())
         action->setToolTip(tips[action->data().toInt()]);
     connect(m_shadings, &QActionGroup::triggered, this,

@@ -1,7 +1,9 @@
 #include "core/session/frame.h"
 
+#include "core/session/contact_shade.h"
 #include "core/session/relief.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -21,6 +23,27 @@ std::shared_ptr<const BodyFrame> bodyFrame(const FilledBody& body, const Snapsho
     frame->normals = renderNormals(body.render, frame->points);
     frame->shades = reliefShades(body.render, frame->points, frame->normals);
     return frame;
+}
+
+bool isWhereItWas(const ToolState& now, const ToolState& before)
+{
+    return now.kind == before.kind && now.part == before.part && now.size == before.size &&
+           now.pose.position == before.pose.position && now.pose.rotation.coeffs() == before.pose.rotation.coeffs();
+}
+
+/// Tools move also while time stands still.
+void shadeContacts(Frame& frame, const Snapshot& snapshot, const FramePointer& previous)
+{
+    if (previous && previous->bodies == frame.bodies && previous->contactShades.size() == frame.bodies.size() &&
+        std::ranges::equal(snapshot.tools, previous->snapshot->tools, isWhereItWas)) {
+        frame.contactShades = previous->contactShades;
+        return;
+    }
+    for (const auto& body : frame.bodies) {
+        std::vector<float> shades = contactShades(body->points, body->normals, snapshot.tools);
+        frame.contactShades.push_back(shades.empty() ? nullptr
+                                                     : std::make_shared<const std::vector<float>>(std::move(shades)));
+    }
 }
 
 } // namespace
@@ -45,6 +68,7 @@ FramePointer prepareFrame(const FilledBodies& bodies, SnapshotPointer snapshot, 
     else
         for (std::size_t b = 0; b < bodies.size(); ++b)
             frame->bodies.push_back(bodyFrame(*frame->filled[b], snapshot->bodies[b]));
+    shadeContacts(*frame, *snapshot, previous);
     frame->snapshot = std::move(snapshot);
     return frame;
 }

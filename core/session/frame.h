@@ -16,7 +16,9 @@ struct Frame {
     SnapshotPointer snapshot;
     std::vector<std::shared_ptr<const BodyFrame>> bodies;
     FilledBodies filled; ///< the bodies as they are filled in the snapshot
-    bool lags = false;   ///< a crack is drawn as it was a moment ago
+    /// Per body, of tools beside it, see contactShades(); null: none is near. Empty where nobody asked for them.
+    std::vector<std::shared_ptr<const std::vector<float>>> contactShades;
+    bool lags = false; ///< a crack is drawn as it was a moment ago
 };
 
 using FramePointer = std::shared_ptr<const Frame>;

@@ -86,4 +86,9 @@ std::vector<float> reliefShades(const RenderMesh& mesh, std::span<const float> p
     return shades;
 }
 
+float bendOfShade(float shade)
+{
+    return std::clamp((1 - shade) / (shade < 1 ? darkest : lightest), -1.0F, 1.0F);
+}
+
 } // namespace knead

@@ -18,4 +18,7 @@ namespace knead {
 /// @param points, normals x y z per render vertex, as they are drawn
 std::vector<float> reliefShades(const RenderMesh& mesh, std::span<const float> points, std::span<const float> normals);
 
+/// What a shade of reliefShades() says of the bend: x / (1 + |x|), -1 .. 1, above 0 in hollows, 0 where it is flat.
+float bendOfShade(float shade);
+
 } // namespace knead

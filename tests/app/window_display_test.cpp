@@ -1,3 +1,4 @@
+#include "core/session/edge_sight.h"
 #include "support/window_on_test.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
@@ -13,7 +14,9 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace knead;
 
@@ -167,7 +170,8 @@ private slots:
         const QImage usual = shot();
         std::vector<QImage> seen;
         const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
-        for (const char* name : {"shadingUsual", "shadingClay", "shadingPolished", "shadingZebra"}) {
+        for (const char* name : {"shadingUsual", "shadingClay", "shadingPolished", "shadingZebra", "shadingCurvature",
+                                 "shadingWax", "shadingChrome", "shadingPorcelain"}) {
             action(name)->trigger();
             QCOMPARE(static_cast<std::size_t>(view().options().shading), seen.size());
             seen.push_back(shot());
@@ -180,6 +184,9 @@ private slots:
                 QVERIFY(shareOfOthers(seen[i], seen[j]) > 0.01);
         QVERIFY(mostStripes(seen[3]) >= 6);
         QVERIFY(mostStripes(seen[3]) > 2 * mostStripes(usual));
+        QCOMPARE(QSettings().value("display/shading").toString(), QString("porcelain"));
+        QCOMPARE(find<QComboBox>("shading")->currentText(), QString("Porcelain"));
+        action("shadingZebra")->trigger();
         QCOMPARE(QSettings().value("display/shading").toString(), QString("zebra"));
         QCOMPARE(find<QComboBox>("shading")->currentText(), QString("Zebra"));
 
@@ -192,6 +199,148 @@ private slots:
         choose("colorQuantity", "Part colors");
         QTRY_VERIFY(!view().scale());
         QCOMPARE(shot(), usual);
+    }
+
+    /// One sees how far it is, and where it will touch.
+    void aHoveringBallDarkensThePartUnderIt()
+    {
+        openExample("bar.step", 24);
+        for (const char* name : {"edges", "grid"})
+            action(name)->setChecked(false);
+        const Box box = document().content().box;
+        const double size = 0.016;
+        const auto ballAt = [&](double gap) {
+            return Pose{Vec3(box.center().x(), box.center().y(), box.max().z() + gap + size / 2)};
+        };
+        Manipulator ball;
+        ball.name = "ball";
+        ball.kind = ToolKind::ball;
+        ball.size = Vec3::Constant(size);
+        ball.pose = ballAt(0.2);
+        document().post(AddManipulator{ball});
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        rest();
+        const Vec3 beside(box.center().x() - 0.006, box.center().y() - 0.004, box.max().z());
+        const Vec3 far(box.min().x() + 0.01, box.center().y(), box.max().z());
+        const auto lightnessAt = [&](const Vec3& place) {
+            return shot().pixelColor(view().widgetPosition(place)->toPoint()).lightness();
+        };
+        double before = lightnessAt(beside);
+        const double away = lightnessAt(far);
+        QVERIFY2(std::abs(before - away) < 8, "no tool is near");
+        for (const double gap : {0.006, 0.003, 0.0003}) {
+            document().post(PlaceManipulator{0, ballAt(gap)});
+            QTRY_COMPARE(snapshot().tools[0].pose.position.z(), ballAt(gap).position.z());
+            rest();
+            const double now = lightnessAt(beside);
+            QVERIFY2(now < before - 5, qPrintable(QString("%1 after %2 at %3").arg(now).arg(before).arg(gap)));
+            QVERIFY(std::abs(lightnessAt(far) - away) < 3);
+            before = now;
+            picture(qPrintable(QString("hovering-%1").arg(gap * 1e4)));
+        }
+        QVERIFY2(before < 0.75 * away, qPrintable(QString("%1 of %2").arg(before).arg(away)));
+    }
+
+    void curvatureTellsHollowsFromBumpsByColor()
+    {
+        openExample("lump.step");
+        for (const char* name : {"edges", "grid"})
+            action(name)->setChecked(false);
+        QVERIFY(!legend()->isVisible());
+        action("shadingCurvature")->trigger();
+        QTRY_VERIFY(legend()->isVisible());
+        QCOMPARE(legend()->text().title, QString("Curvature"));
+        QCOMPARE(legend()->text().ticks.size(), std::size_t{3});
+        bothThemes("curvature");
+        choose("colorQuantity", "Displacement");
+        QTRY_COMPARE(legend()->text().title, QString("Displacement [mm]"));
+        choose("colorQuantity", "Part colors");
+        QTRY_COMPARE(legend()->text().title, QString("Curvature"));
+        action("shadingUsual")->trigger();
+        QTRY_VERIFY(!legend()->isVisible());
+    }
+
+    /// White and light gray keep gradients, dark ones can be seen.
+    void whiteIsNotBurntAndBlackNotLost()
+    {
+        openExample("grip.step");
+        for (const char* name : {"edges", "grid"})
+            action(name)->setChecked(false);
+        const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
+        const auto inColor = [&](const char* color) {
+            document().post(SetPartLook{0, "", color});
+            QTRY_COMPARE_WITH_TIMEOUT(document().appearance().faceColor(*document().content().model, 0, 0),
+                                      *colorOf(color), patience);
+        };
+        for (const char* side : {"viewIsometric", "viewFront", "viewTop", "viewLeft"}) {
+            action(side)->trigger();
+            inColor("#000000");
+            rest();
+            const QImage black = shot();
+            QImage white;
+            for (const char* color : {"#ffffff", "#e6e6e6", "#202020"}) {
+                inColor(color);
+                rest();
+                const QImage seen = shot();
+                if (white.isNull())
+                    white = seen;
+                if (!folder.isEmpty())
+                    seen.save(QStringLiteral("%1/%2-%3.png").arg(folder, QString(color).mid(1), side));
+                const auto [clipped, darkest, brightest] = lightOf(seen, black, white);
+                const QString what = QString("%1, %2: %3 clipped, gray %4 .. %5")
+                                         .arg(color, side)
+                                         .arg(clipped)
+                                         .arg(darkest)
+                                         .arg(brightest);
+                QVERIFY2(clipped < 0.01, qPrintable(what));
+                const bool isDark = QByteArray(color) == "#202020";
+                QVERIFY2(brightest - darkest > (isDark ? 15 : 60), qPrintable(what));
+                QVERIFY2(brightest > (isDark ? 35 : 200) && brightest < 250, qPrintable(what));
+            }
+        }
+    }
+
+    /// They stuck out as single dashes where they begin at the outline.
+    void edgesBehindThePartDoNotStickOut()
+    {
+        openExample("bracket.step");
+        action("grid")->setChecked(false);
+        action("viewIsometric")->trigger();
+        rest();
+        const QImage with = shot();
+        action("edges")->setChecked(false);
+        const QImage without = shot();
+        const Camera& camera = view().camera();
+        std::vector<std::pair<QPointF, QPointF>> seen; // on the screen
+        for (std::size_t b = 0; b < document().frame()->bodies.size(); ++b) {
+            const RenderMesh& mesh = document().frame()->filled[b]->render;
+            const BodyFrame& frame = *document().frame()->bodies[b];
+            const std::vector<bool> isSeen = EdgeSight(mesh).seenFrom(
+                frame.points, camera.perspective ? std::optional(camera.eye()) : std::nullopt, camera.towardsEye());
+            for (std::size_t e = 0; e < isSeen.size(); ++e)
+                if (isSeen[e])
+                    seen.emplace_back(*view().widgetPosition(frame.point(mesh.edges[e][0])),
+                                      *view().widgetPosition(frame.point(mesh.edges[e][1])));
+        }
+        const auto distanceFrom = [](const QPointF& place, const std::pair<QPointF, QPointF>& edge) {
+            const QPointF way = edge.second - edge.first;
+            const double square = std::max(1e-9, QPointF::dotProduct(way, way));
+            const double along = std::clamp(QPointF::dotProduct(place - edge.first, way) / square, 0.0, 1.0);
+            const QPointF off = place - edge.first - along * way;
+            return std::hypot(off.x(), off.y());
+        };
+        int drawn = 0;
+        int stray = 0;
+        for (int y = 0; y < with.height(); ++y)
+            for (int x = 0; x < with.width(); ++x) {
+                if (std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y))) < 30)
+                    continue;
+                ++drawn;
+                const QPointF place(x + 0.5, y + 0.5);
+                stray += std::ranges::none_of(seen, [&](const auto& edge) { return distanceFrom(place, edge) < 2.2; });
+            }
+        QVERIFY(drawn > 500);
+        QCOMPARE(stray, 0);
     }
 
     void contactForceShowsWhereTheFloorPresses()
@@ -546,6 +695,29 @@ private:
                 count += difference > 24 ? 1 : 0;
             }
         return static_cast<double>(count) / a.width() / a.height();
+    }
+
+    /// Of a part: share of its pixels that are white altogether, and the gray that 2 % of them are darker, and brighter
+    /// than. Its pixels are those where it makes a difference whether it is black or white.
+    struct Light {
+        double clipped = 0;
+        int darkest = 0;
+        int brightest = 0;
+    };
+    static Light lightOf(const QImage& seen, const QImage& black, const QImage& white)
+    {
+        std::vector<int> grays;
+        int clipped = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                if (qGray(white.pixel(x, y)) - qGray(black.pixel(x, y)) > 20) {
+                    grays.push_back(qGray(seen.pixel(x, y)));
+                    clipped += seen.pixel(x, y) == qRgb(255, 255, 255) ? 1 : 0;
+                }
+        std::ranges::sort(grays);
+        const std::size_t few = grays.size() / 50;
+        return {static_cast<double>(clipped) / static_cast<double>(grays.size()), grays.at(few),
+                grays.at(grays.size() - 1 - few)};
     }
 
     /// How often a column of pixels goes from black to white or back, where most do, left of the cube.

@@ -1,10 +1,16 @@
 // What tells the eye of depth: shades of hollows and ridges, and the shadow on the ground.
+#include "core/session/contact_shade.h"
+#include "core/session/edge_sight.h"
+#include "core/session/frame.h"
 #include "core/session/ground_shadow.h"
 #include "core/session/relief.h"
 
 #include <QTest>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <numbers>
 
 using namespace knead;
 
@@ -50,6 +56,24 @@ float darknessAt(const GroundShadow& shadow, double x, double y)
     return shadow.darkness.at(static_cast<std::size_t>(row * shadow.side + column));
 }
 
+ToolState toolAt(ToolKind kind, const Vec3& size, const Vec3& place)
+{
+    ToolState tool;
+    tool.kind = kind;
+    tool.size = size;
+    tool.pose.position = place;
+    return tool;
+}
+
+/// Of one vertex with a tool beside it.
+double shadeAt(const Vec3& place, const Vec3& normal, const ToolState& tool)
+{
+    const Eigen::Vector3f p = place.cast<float>();
+    const Eigen::Vector3f n = normal.cast<float>();
+    const std::vector<float> shades = contactShades({p.data(), 3}, {n.data(), 3}, {&tool, 1});
+    return shades.empty() ? 1 : shades[0];
+}
+
 } // namespace
 
 class DepthTest : public QObject {
@@ -65,6 +89,7 @@ private slots:
         QVERIFY2(ridge > 1.03F && ridge < 1.13F, qPrintable(QString::number(ridge)));
         QVERIFY(std::abs(beside - 1) < 0.02F);
         QCOMPARE(Sheet(0).shades().first, 1.0F);
+        QVERIFY(bendOfShade(hollow) > 0.4F && bendOfShade(ridge) < -0.25F && bendOfShade(1) == 0);
     }
 
     void whatTouchesTheGroundIsDarkestUnderneath()
@@ -92,6 +117,142 @@ private slots:
         const GroundShadow shadow = groundShadow({}, {{probe}}, 0);
         QVERIFY(darknessAt(shadow, -0.5, 0) > 0.95F);
         QVERIFY(darknessAt(shadow, 0.5, 0) < 0.05F);
+    }
+
+    /// A ball of radius R whose middle is H above a plane keeps H R^2 / d^3 of the light off a place at distance d of
+    /// its middle.
+    void aBallAboveAPlaneDarkensItAsItsSolidAngleSays()
+    {
+        const double radius = 0.25;
+        const double size = 2 * radius;
+        for (const double gap : {0.01, 0.1, 0.3, 0.45})
+            for (const double beside : {0.0, 0.1, 0.25, 0.4}) {
+                const double height = radius + gap;
+                const ToolState ball = toolAt(ToolKind::ball, Vec3::Constant(size), Vec3(0, 0, height));
+                const double far = std::hypot(height, beside);
+                const double share = (far - radius) / size;
+                const double fade = share < 1 ? std::pow(1 - share * share, 2) : 0;
+                const double wanted = 1 - contactDarkest * height * radius * radius / (far * far * far) * fade;
+                const double shade = shadeAt(Vec3(beside, 0, 0), Vec3::UnitZ(), ball);
+                QVERIFY2(
+                    std::abs(shade - wanted) < 1e-5,
+                    qPrintable(QString("%1 above, %2 beside: %3, not %4").arg(gap).arg(beside).arg(shade).arg(wanted)));
+            }
+        const ToolState touching = toolAt(ToolKind::ball, Vec3::Constant(size), Vec3(0, 0, radius));
+        QVERIFY(std::abs(shadeAt(Vec3::Zero(), Vec3::UnitZ(), touching) - (1 - contactDarkest)) < 1e-4);
+        QCOMPARE(shadeAt(Vec3::Zero(), -Vec3::UnitZ(), touching), 1.0); // it is behind the sheet
+    }
+
+    /// At the foot of a high wall half of the sky is gone; a ball in the horizon hides (atan(1 / q) - q / h^2) / pi,
+    /// q^2 = h^2 - 1.
+    void theHorizonCutsWhatStandsBeside()
+    {
+        const ToolState wall = toolAt(ToolKind::box, Vec3::Ones(), Vec3(0.5 + 1e-7, 0, 0));
+        QVERIFY(std::abs(shadeAt(Vec3::Zero(), Vec3::UnitZ(), wall) - (1 - contactDarkest / 2)) < 1e-3);
+        const ToolState ball = toolAt(ToolKind::ball, Vec3::Ones(), Vec3(0.75, 0, 0));
+        const double h = 1.5;
+        const double q = std::sqrt(h * h - 1);
+        const double kept = (std::atan(1 / q) - q / (h * h)) / std::numbers::pi;
+        const double fade = std::pow(1 - 0.25 * 0.25, 2);
+        QVERIFY(std::abs(shadeAt(Vec3::Zero(), Vec3::UnitZ(), ball) - (1 - contactDarkest * kept * fade)) < 1e-5);
+    }
+
+    /// Under every kind of tool it gets lighter, the higher the tool is, up to one size of it.
+    void theFartherAToolTheLighterItIsUnderneath()
+    {
+        for (const ToolKind kind :
+             {ToolKind::box, ToolKind::ball, ToolKind::cylinder, ToolKind::wedge, ToolKind::plate}) {
+            const Vec3 size = fittingSize(kind, kind == ToolKind::plate ? Vec3(0.2, 0.2, 0.02) : Vec3(0.2, 0.2, 0.2));
+            double before = 0;
+            for (const double gap : {1e-6, 0.02, 0.05, 0.1, 0.15, 0.21}) {
+                const double shade =
+                    shadeAt(Vec3::Zero(), Vec3::UnitZ(), toolAt(kind, size, Vec3(0, 0, size.z() / 2 + gap)));
+                QVERIFY2(shade > before, qPrintable(QString("%1 at %2: %3").arg(int(kind)).arg(gap).arg(shade)));
+                before = shade;
+            }
+            QCOMPARE(before, 1.0);
+        }
+    }
+
+    /// Of a cube one sees 9 edges at a corner, and from right before a face only its own 4, unless one is far away.
+    void edgesBehindTheMaterialAreNotSeen()
+    {
+        const RenderMesh cube = renderMesh(meshOf({ToolKind::box, Vec3::Ones(), nullptr}));
+        const EdgeSight sight(cube);
+        std::vector<Vec3> places = meshOf({ToolKind::box, Vec3::Ones(), nullptr}).vertices;
+        const std::vector<float> points = renderPoints(cube, places);
+        const auto seen = [&](const std::optional<Vec3>& eye, const Vec3& towards) {
+            const std::vector<bool> edges = sight.seenFrom(points, eye, towards);
+            return std::count(edges.begin(), edges.end(), true);
+        };
+        QCOMPARE(cube.edges.size(), std::size_t{12});
+        QCOMPARE(seen(Vec3(5, 4, 3), Vec3::UnitX()), 9);
+        QCOMPARE(seen(std::nullopt, Vec3(3, 2, 1).normalized()), 9);
+        QCOMPARE(seen(Vec3(0.1, 0.1, 3), Vec3::UnitZ()), 4);
+        QCOMPARE(seen(Vec3(5, 4, 0.2), Vec3::UnitX()), 7);
+    }
+
+    void thirtyThousandVerticesTakeMilliseconds()
+    {
+        std::vector<float> points;
+        std::vector<float> normals;
+        for (int y = 0; y < 173; ++y)
+            for (int x = 0; x < 173; ++x) {
+                for (const float coordinate : {static_cast<float>(x) / 173, static_cast<float>(y) / 173, 0.0F})
+                    points.push_back(coordinate);
+                for (const float coordinate : {0.0F, 0.0F, 1.0F})
+                    normals.push_back(coordinate);
+            }
+        const std::vector<ToolState> tools = {toolAt(ToolKind::ball, Vec3::Ones(), Vec3(0.5, 0.5, 0.6)),
+                                              toolAt(ToolKind::box, Vec3::Ones(), Vec3(0.2, 0.5, 0.7))};
+        double least = 1e9;
+        for (int n = 0; n < 5; ++n) {
+            const auto start = std::chrono::steady_clock::now();
+            const std::vector<float> shades = contactShades(points, normals, tools);
+            least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            QCOMPARE(shades.size(), points.size() / 3);
+        }
+        qInfo("%.2f ms with two tools", 1e3 * least);
+        QVERIFY2(least < 0.06,
+                 qPrintable(QString("%1 s").arg(least))); // some 5 ms, sanitizers and loaded machines apart
+        QVERIFY(contactShades(points, normals, {{toolAt(ToolKind::ball, Vec3::Ones(), Vec3(0, 0, 9))}}).empty());
+        ToolState part = toolAt(ToolKind::part, Vec3::Ones(), Vec3(0.5, 0.5, 0.13)); // a quarter of the sheet
+        part.part = std::make_shared<ToolPart>(meshOf({ToolKind::ball, Vec3::Constant(0.25), nullptr}));
+        least = 1e9;
+        for (int n = 0; n < 3; ++n) {
+            const auto start = std::chrono::steady_clock::now();
+            QVERIFY(!contactShades(points, normals, {{part}}).empty());
+            least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        }
+        qInfo("%.2f ms with a part", 1e3 * least);
+        QVERIFY2(least < 0.2, qPrintable(QString("%1 s").arg(least)));
+    }
+
+    /// Time stands still then, and the surface with it.
+    void aToolThatIsPlacedWhileNothingMovesShadesAnew()
+    {
+        const Sheet sheet(0);
+        auto surface = std::make_shared<BodyFrame>();
+        surface->points = sheet.points;
+        surface->normals = renderNormals(sheet.mesh, sheet.points);
+        auto before = std::make_shared<Frame>();
+        before->bodies = {surface};
+        before->snapshot = std::make_shared<Snapshot>();
+        auto later = std::make_shared<Snapshot>();
+        later->tools = {toolAt(ToolKind::ball, Vec3::Constant(0.2), Vec3(0, 0, 0.15))};
+        const FramePointer hovering = prepareFrame({}, later, before);
+        QCOMPARE(hovering->bodies, before->bodies);
+        QCOMPARE(hovering->contactShades.size(), std::size_t{1});
+        QVERIFY(hovering->contactShades[0]);
+        QCOMPARE(prepareFrame({}, std::make_shared<Snapshot>(*later), hovering)->contactShades,
+                 hovering->contactShades);
+        auto lower = std::make_shared<Snapshot>(*later);
+        lower->tools[0].pose.position.z() = 0.12;
+        const FramePointer near = prepareFrame({}, lower, hovering);
+        QVERIFY(near->contactShades[0]->at(side * side / 2) < hovering->contactShades[0]->at(side * side / 2));
+        lower = std::make_shared<Snapshot>(*lower);
+        lower->tools[0].pose.position.z() = 2;
+        QVERIFY(!prepareFrame({}, lower, near)->contactShades[0]);
     }
 };
 

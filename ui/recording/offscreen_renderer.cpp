@@ -256,18 +256,20 @@ QImage OffscreenRenderer::pixels() const
 /// In the lower right corner, as in the view.
 void OffscreenRenderer::drawLegend(QImage& picture) const
 {
-    const std::optional<ColorScale> scale = m_scene->scale();
-    if (!scale || !scale->isKnown)
+    const std::optional<ColorScale> values = m_scene->scale();
+    const bool tellsBend = !values && m_look.options.shading == Shading::curvature;
+    if (!tellsBend && (!values || !values->isKnown))
         return;
+    const ColorScale scale = values.value_or(curvatureScale());
     QPainter painter(&picture);
     QFont font;
     font.setPixelSize(std::max(9, static_cast<int>(textShare * m_size.height())));
     painter.setFont(font);
-    const ScaleText text = textOf(*scale);
+    const ScaleText text = tellsBend ? curvatureText() : textOf(scale);
     const int inset = painter.fontMetrics().height();
     QRect place(QPoint(), legendSize(painter.fontMetrics(), text, {}));
     place.moveBottomRight(QPoint(m_size.width() - inset, m_size.height() - inset));
-    paintLegend(painter, place, *scale, text, {},
+    paintLegend(painter, place, scale, text, {},
                 {QColor(255, 255, 255, 215), QColor(30, 34, 38), QColor(150, 156, 162)});
 }
 

@@ -1,5 +1,7 @@
 #include "ui/viewport/color_legend.h"
 
+#include "ui/viewport/skin_shading.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QPainter>
@@ -110,12 +112,26 @@ ColorLegend::ColorLegend(QWidget* parent)
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
     const QString remark = remarkOf(scale, isPast);
-    if (isVisible() && scale == m_scale && remark == m_remark) {
+    if (isVisible() && !m_isCurvature && scale == m_scale && remark == m_remark) {
         resize(sizeHint()); // the view may be of another height
         return;
     }
+    m_isCurvature = false;
     m_scale = scale;
     m_remark = remark;
+    say();
+    QWidget::show();
+}
+
+void ColorLegend::showCurvature()
+{
+    if (isVisible() && m_isCurvature) {
+        resize(sizeHint());
+        return;
+    }
+    m_isCurvature = true;
+    m_scale = curvatureScale();
+    m_remark.clear();
     say();
     QWidget::show();
 }
@@ -123,7 +139,7 @@ void ColorLegend::show(const ColorScale& scale, bool isPast)
 /// In words and units of now.
 void ColorLegend::say()
 {
-    m_text = textOf(m_scale);
+    m_text = m_isCurvature ? curvatureText() : textOf(m_scale);
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)
         numbers << tick.text;

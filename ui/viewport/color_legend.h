@@ -16,6 +16,7 @@ public:
 
     /// @param isPast whether the moment is one that is looked back at: then a quantity may not be known
     void show(const ColorScale& scale, bool isPast);
+    void showCurvature(); ///< in words, see curvatureText()
 
     /// What a person reads, for tests.
     const ScaleText& text() const { return m_text; }
@@ -30,6 +31,7 @@ private:
     void say();
 
     ColorScale m_scale;
+    bool m_isCurvature = false;
     ScaleText m_text;
     QString m_remark;
 };

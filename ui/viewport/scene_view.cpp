@@ -119,6 +119,8 @@ void SceneView::showFrame(const FramePointer& frame)
         showObjects();
         showRegions();
     }
+    for (std::size_t b = 0; b < frame->contactShades.size(); ++b)
+        m_parts->skins[b]->setContactShades(frame->contactShades[b]);
     m_parts->fields->showFrame(frame);
     showTools();
     m_isShadowNew = true;
@@ -304,6 +306,8 @@ void SceneView::setCamera(const Camera& camera)
     eye->SetParallelScale(camera.viewHeight() / 2);
     m_parts->cube->setCamera(camera);
     const int* size = m_parts->renderer->GetRenderWindow()->GetSize();
+    for (const auto& skin : m_parts->skins)
+        skin->hideEdgesBehind(camera);
     m_parts->fields->setCamera(camera, static_cast<double>(size[0]) / std::max(1, size[1]));
     clipToScene();
 }

@@ -136,12 +136,15 @@ void SideView::aboutToRender()
 void SideView::placeOverlays()
 {
     m_labels.place(m_scene->labels(), [this](const Vec3& place) { return widgetPosition(place); });
-    if (const std::optional<ColorScale> scale = m_scene->scale(); scale && height() >= legendRoom) {
+    const std::optional<ColorScale> scale = m_scene->scale();
+    const bool hasRoom = height() >= legendRoom;
+    if (scale && hasRoom)
         m_legend->show(*scale, m_view.isLookingBack());
-        m_legend->move(width() - m_legend->width() - legendInset, height() - m_legend->height() - legendInset);
-    } else {
+    else if (m_view.options().shading == Shading::curvature && !m_scene->box().isEmpty() && hasRoom)
+        m_legend->showCurvature();
+    else
         m_legend->hide();
-    }
+    m_legend->move(width() - m_legend->width() - legendInset, height() - m_legend->height() - legendInset);
     const std::optional<double>& divider = m_view.options().divider;
     m_divider->setVisible(divider.has_value());
     if (divider)

@@ -1,5 +1,7 @@
 #include "ui/viewport/skin_actor.h"
 
+#include "core/session/edge_sight.h"
+#include "core/session/relief.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -31,6 +34,11 @@ struct SkinActor::Parts {
     std::vector<unsigned char>
         plain;                 ///< colors without shades; empty where they tell values, which shades would falsify
     std::vector<float> shades; ///< see BodyFrame
+    std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
+    Shading shading = Shading::usual;
+    std::optional<EdgeSight> sight; ///< once it was asked for
+    std::vector<bool> seenEdges;    ///< that are drawn; at first all
+    vtkSmartPointer<vtkPlaneCollection> clipping;
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -79,10 +87,8 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->faces->SetPolys(triangles);
     m_parts->faces->GetPointData()->SetNormals(m_parts->normals);
     m_parts->faces->GetPointData()->SetScalars(m_parts->colors);
-    vtkNew<vtkCellArray> lines;
-    fillCells(lines, mesh.edges);
     m_parts->edges->SetPoints(m_parts->points);
-    m_parts->edges->SetLines(lines);
+    drawEdges(std::vector<bool>(mesh.edges.size(), true));
 
     m_parts->faceMapper->SetInputData(m_parts->faces);
     m_parts->faceMapper->SetColorModeToDirectScalars();
@@ -122,6 +128,49 @@ void SkinActor::show(const BodyFrame& frame)
     m_parts->edges->Modified();
 }
 
+void SkinActor::setContactShades(std::shared_ptr<const std::vector<float>> shades)
+{
+    if (shades == m_parts->contactShades)
+        return;
+    m_parts->contactShades = std::move(shades);
+    showColors();
+}
+
+/// Through glass and where the body is cut open one sees them all.
+void SkinActor::hideEdgesBehind(const Camera& camera)
+{
+    if (!m_parts->edgeActor->GetVisibility())
+        return;
+    const bool isSolid = m_parts->faceActor->GetVisibility() && m_parts->faceActor->GetProperty()->GetOpacity() >= 1 &&
+                         (!m_parts->clipping || m_parts->clipping->GetNumberOfItems() == 0);
+    if (!isSolid) {
+        drawEdges(std::vector<bool>(m_parts->seenEdges.size(), true));
+        return;
+    }
+    if (!m_parts->sight)
+        m_parts->sight.emplace(m_body->render);
+    const auto* points = static_cast<const float*>(m_parts->points->GetData()->GetVoidPointer(0));
+    drawEdges(m_parts->sight->seenFrom({points, 3 * m_body->render.source.size()},
+                                       camera.perspective ? std::optional(camera.eye()) : std::nullopt,
+                                       camera.towardsEye()));
+}
+
+void SkinActor::drawEdges(const std::vector<bool>& isSeen)
+{
+    if (isSeen == m_parts->seenEdges)
+        return;
+    m_parts->seenEdges = isSeen;
+    vtkNew<vtkCellArray> lines;
+    for (std::size_t e = 0; e < isSeen.size(); ++e)
+        if (isSeen[e]) {
+            lines->InsertNextCell(2);
+            for (const std::uint32_t vertex : m_body->render.edges[e])
+                lines->InsertCellPoint(vertex);
+        }
+    m_parts->edges->SetLines(lines);
+    m_parts->edges->Modified();
+}
+
 void SkinActor::setVisible(bool faces, bool edges)
 {
     m_parts->faceActor->SetVisibility(faces);
@@ -150,18 +199,27 @@ void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorO
     showColors();
 }
 
-/// Darker in hollows, where the colors are those of the part.
+/// Darker in hollows and beside tools, where the colors are those of the part.
 void SkinActor::showColors()
 {
     const std::vector<unsigned char>& plain = m_parts->plain;
     const std::vector<float>& shades = m_parts->shades;
+    const std::vector<float>* contact = m_parts->contactShades.get();
+    const bool hasShades = 3 * shades.size() == plain.size();
+    const bool hasContact = contact != nullptr && 3 * contact->size() == plain.size();
+    const bool tellsBend = m_parts->shading == Shading::curvature;
     unsigned char* out = m_parts->colors->GetPointer(0);
-    if (3 * shades.size() == plain.size())
-        std::transform(plain.begin(), plain.end(), out, [&, n = std::size_t{0}](unsigned char byte) mutable {
-            return static_cast<unsigned char>(std::min(255.0F, static_cast<float>(byte) * shades[n++ / 3] + 0.5F));
-        });
-    else
-        std::copy(plain.begin(), plain.end(), out);
+    for (std::size_t vertex = 0; 3 * vertex < plain.size(); ++vertex) {
+        Color share{1, 1, 1};
+        if (hasShades)
+            share = tellsBend ? curvatureTint(bendOfShade(shades[vertex]))
+                              : Color{shades[vertex], shades[vertex], shades[vertex]};
+        const float kept = hasContact ? (*contact)[vertex] : 1;
+        const float shares[] = {kept * share.r, kept * share.g, kept * share.b};
+        for (std::size_t c = 0; c < 3; ++c)
+            *out++ = static_cast<unsigned char>(
+                std::min(255.0F, static_cast<float>(plain[3 * vertex + c]) * shares[c] + 0.5F));
+    }
     m_parts->colors->Modified();
     m_parts->faces->Modified();
 }
@@ -206,6 +264,7 @@ void SkinActor::tint(double share, const std::function<std::optional<Color>(std:
 void SkinActor::setShading(Shading shading, MaterialLook look)
 {
     shadeFaces(*m_parts->faceActor, shading, look);
+    m_parts->shading = shading;
 }
 
 void SkinActor::setOpacity(double opacity)
@@ -216,6 +275,7 @@ void SkinActor::setOpacity(double opacity)
 
 void SkinActor::setClipping(vtkPlaneCollection* planes)
 {
+    m_parts->clipping = planes;
     m_parts->faceMapper->SetClippingPlanes(planes);
     m_parts->edgeMapper->SetClippingPlanes(planes);
 }

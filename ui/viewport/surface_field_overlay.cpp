@@ -63,14 +63,18 @@ SurfaceFieldOverlay::SurfaceFieldOverlay(ViewportWidget& view)
 void SurfaceFieldOverlay::place(const std::optional<ColorScale>& scale, const Box& box)
 {
     m_box = box;
-    if (scale) {
-        m_legend->show(*scale, m_isPast);
-        m_legend->move(m_view.width() - m_legend->width() - inset, m_view.height() - m_legend->height() - inset);
-    } else {
-        m_legend->hide();
-    }
-    m_view.keepFree(m_legend, {.right = scale ? m_legend->width() + inset : 0.0});
     const SceneOptions& options = m_view.options();
+    const bool tellsBend = !scale && options.shading == Shading::curvature && !box.isEmpty();
+    if (scale)
+        m_legend->show(*scale, m_isPast);
+    else if (tellsBend)
+        m_legend->showCurvature();
+    else
+        m_legend->hide();
+    const bool isThere = scale || tellsBend;
+    if (isThere)
+        m_legend->move(m_view.width() - m_legend->width() - inset, m_view.height() - m_legend->height() - inset);
+    m_view.keepFree(m_legend, {.right = isThere ? m_legend->width() + inset : 0.0});
     m_divider->setVisible(options.divider.has_value());
     if (options.divider)
         m_divider->placeAt(*options.divider);
