@@ -17,6 +17,7 @@ struct ReadRange {
 };
 
 /// Tells readers of screens what a widget is that draws itself. Its name is its accessibleName.
+/// @pre it has no such name yet: from then on it counts as what it was until then
 /// @param value in words, asked for each time it is read
 /// @param range of what can be moved, as sliders; null: it has none
 void readAs(QWidget& widget, QAccessible::Role role, std::function<QString()> value,

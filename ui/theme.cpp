@@ -230,7 +230,8 @@ QTabBar::tab:top:selected { border-top-color: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
 QTreeView, QPlainTextEdit { border: 1px solid transparent; background: @base; }
-QTreeView:focus, QPlainTextEdit:focus { border-color: @accent; }
+QTextEdit { border: 1px solid transparent; }
+QTreeView:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent; }
 QTreeView::item { padding: 3px 2px; }
 QLineEdit { padding: 3px 6px; min-height: 18px; border: 1px solid @line; border-radius: 4px; background: @base; }
 QLineEdit:focus { border-color: @accent; }
@@ -246,6 +247,7 @@ QPushButton[role="primary"] { background: @accent; color: @accentText; border-co
 QPushButton[role="primary"]:focus { border-color: @text; }
 QToolButton[role="primary"] { padding: 7px 18px; border: 1px solid @accent; border-radius: 5px; background: @accent;
     color: @accentText; font-weight: 600; }
+QToolButton[role="primary"]:focus { border-color: @text; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { padding: 4px 3px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }

@@ -3,6 +3,7 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/preferences/preferences_feature.h"
+#include "ui/run_window.h"
 #include "ui/selection/selection_model.h"
 
 #include <QAbstractButton>
@@ -60,7 +61,8 @@ private slots:
                 lacking << wordsOf(*widget) + " has no name";
             if (told->role() == QAccessible::NoRole || told->role() == QAccessible::Client)
                 lacking << wordsOf(*widget) + " has no role";
-            const bool isField = qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QComboBox*>(widget) != nullptr ||
+            const bool isField = qobject_cast<QLineEdit*>(widget) != nullptr ||
+                                 qobject_cast<QComboBox*>(widget) != nullptr ||
                                  qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
             // An empty field says what it means in the words that it shows instead.
             if (isField && !hasNothingChosen(*widget) && told->text(QAccessible::Value).isEmpty() &&
@@ -81,7 +83,8 @@ private slots:
                                  name == "timelineAxis" || name == "viewport" || name == "banner";
             if (isDrawn && QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name).isEmpty())
                 lacking << wordsOf(*widget);
-            if (auto* button = qobject_cast<QToolButton*>(widget); button != nullptr && !isInside(*widget) &&
+            if (auto* button = qobject_cast<QToolButton*>(widget);
+                button != nullptr && !isInside(*widget) &&
                 QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name).isEmpty() && !button->isHidden())
                 lacking << wordsOf(*widget);
         }
@@ -142,6 +145,7 @@ private slots:
     {
         openExample("bar.step", 10);
         QApplication::setCursorFlashTime(0);
+        m_window->viewport().clearFocus();
         m_window->viewport().setFocus(Qt::TabFocusReason);
         QSet<const QWidget*> stops;
         QStringList unseen;
@@ -162,6 +166,32 @@ private slots:
         QVERIFY2(unseen.isEmpty(), qPrintable(unseen.join("\n")));
     }
 
+    /// One stop of Tab for all brushes, arrows between them; Space stays that of the simulation.
+    void stripsAreReachedByKeys()
+    {
+        openExample("bar.step", 10);
+        for (const char* name : {"selectionBar", "sculptBar"}) {
+            auto* strip = find<QWidget>(name);
+            QList<QToolButton*> buttons = strip->findChildren<QToolButton*>(Qt::FindDirectChildrenOnly);
+            buttons.removeIf([](const QToolButton* one) { return one->objectName().startsWith("qt_"); });
+            const auto stops = std::ranges::count_if(
+                buttons, [](const QToolButton* one) { return one->focusPolicy() & Qt::TabFocus; });
+            QCOMPARE(stops, 1);
+            buttons[0]->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(buttons[0], Qt::Key_Down);
+            QVERIFY(buttons[1]->hasFocus());
+            QCOMPARE(buttons[0]->focusPolicy(), Qt::NoFocus);
+            const bool wasChecked = buttons[1]->isChecked();
+            QTest::keyClick(buttons[1], Qt::Key_Return);
+            QVERIFY(buttons[1]->isChecked() != wasChecked);
+            buttons[1]->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(buttons[1], Qt::Key_Up);
+            QVERIFY(buttons[0]->hasFocus());
+            QTest::keyClick(buttons[0], Qt::Key_Up);
+            QVERIFY(buttons[0]->hasFocus());
+        }
+    }
+
     void textsGrowAtOnceAndAreNotCut()
     {
         m_window->resize(1920, 1080);
@@ -179,9 +209,18 @@ private slots:
             QTest::qWait(50);
             picture(qPrintable("texts-150-" + dock->objectName()));
             for (QWidget* widget : m_window->findChildren<QWidget*>())
-                if (widget->isVisible() && !isInside(*widget) && isCut(*widget))
+                if (isInFront(*widget, *dock) && !isInside(*widget) && isCut(*widget))
                     cut << dock->objectName() + ": " + wordsOf(*widget);
         }
+        document().select({Selection::Kind::Body, 0});
+        auto* properties = find<QDockWidget>("propertiesDock");
+        properties->raise();
+        drawn();
+        QTest::qWait(50);
+        picture("texts-150-body");
+        for (QWidget* widget : properties->findChildren<QWidget*>())
+            if (isInFront(*widget, *properties) && !isInside(*widget) && isCut(*widget))
+                cut << "body: " + wordsOf(*widget);
         cut.removeDuplicates();
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
     }
@@ -237,9 +276,11 @@ private:
         if (name.startsWith("qt_"))
             return true;
         for (const QWidget* owner = widget.parentWidget(); owner != nullptr; owner = owner->parentWidget())
-            if (qobject_cast<const QComboBox*>(owner) != nullptr || qobject_cast<const QAbstractSpinBox*>(owner) != nullptr ||
-                qobject_cast<const QAbstractItemView*>(owner) != nullptr || qobject_cast<const QLineEdit*>(owner) != nullptr ||
-                qobject_cast<const QTabBar*>(owner) != nullptr || owner->inherits("QDialog") != widget.window()->inherits("QDialog"))
+            if (qobject_cast<const QComboBox*>(owner) != nullptr ||
+                qobject_cast<const QAbstractSpinBox*>(owner) != nullptr ||
+                qobject_cast<const QAbstractItemView*>(owner) != nullptr ||
+                qobject_cast<const QLineEdit*>(owner) != nullptr || qobject_cast<const QTabBar*>(owner) != nullptr ||
+                owner->inherits("QDialog") != widget.window()->inherits("QDialog"))
                 return true;
         return false;
     }
@@ -251,6 +292,17 @@ private:
         return (choice != nullptr && choice->currentIndex() < 0) ||
                (line != nullptr && qobject_cast<const QuantityField*>(&widget) == nullptr) ||
                (line != nullptr && line->text().isEmpty() && !line->isEnabled());
+    }
+
+    /// Panels behind others are not laid out.
+    static bool isInFront(const QWidget& widget, const QDockWidget& dock)
+    {
+        if (!widget.isVisible() || widget.size().isEmpty())
+            return false;
+        const QWidget* owner = &widget;
+        while (owner != nullptr && qobject_cast<const QDockWidget*>(owner) == nullptr)
+            owner = owner->parentWidget();
+        return owner == nullptr || owner == &dock;
     }
 
     static QString wordsOf(const QWidget& widget)
@@ -270,21 +322,21 @@ private:
     }
 
     /// With what is around it, where frames are drawn outside.
-    QImage pictureOf(QWidget& widget)
-    {
-        return widget.grab().toImage();
-    }
+    QImage pictureOf(QWidget& widget) { return widget.grab().toImage(); }
 
     /// Whether a text lacks room. What is longer than its place on purpose ends in dots, and says the whole as a tip.
     static bool isCut(const QWidget& widget)
     {
         constexpr int slack = 1;
+        if (const auto* area = qobject_cast<const QScrollArea*>(&widget))
+            return area->widget() != nullptr && area->widget()->minimumSizeHint().width() > area->viewport()->width();
         if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
             if (label->text().isEmpty())
                 return false;
             if (label->wordWrap())
                 return label->height() + slack < label->heightForWidth(label->width());
-            return label->width() + slack < label->sizeHint().width() || label->height() + slack < label->sizeHint().height();
+            return label->width() + slack < label->sizeHint().width() ||
+                   label->height() + slack < label->sizeHint().height();
         }
         if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
             if (button->text().isEmpty() || button->inherits("knead::PictureCard"))

@@ -15,7 +15,7 @@ using namespace knead;
 
 namespace {
 
-constexpr double readable = 4.5;  // WCAG 2.1, level AA
+constexpr double readable = 4.5;    // WCAG 2.1, level AA
 constexpr double disabledLeast = 3; // of what cannot be used now
 
 /// One rule of a style sheet: where it holds and what it says.

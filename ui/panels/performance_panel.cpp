@@ -96,8 +96,8 @@ public:
     {
         setObjectName("frameBudget");
         setFixedHeight(18);
-        setAccessibleName(PerformancePanel::tr("Time of a frame"));
         readAs(*this, QAccessible::Chart, [this] { return spoken(); });
+        setAccessibleName(PerformancePanel::tr("Time of a frame"));
         setToolTip(PerformancePanel::tr("Time of a frame; its whole length is a sixtieth of a second"));
     }
 

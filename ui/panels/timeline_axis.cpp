@@ -59,9 +59,12 @@ TimelineAxis::TimelineAxis(std::function<QString(History::Entry)> nameOf, QWidge
     setMinimumWidth(110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setFocusPolicy(Qt::TabFocus);
+    readAs(
+        *this, QAccessible::Slider, [this] { return spokenPlace(); },
+        [this] {
+            return ReadRange{0, m_timeline.end, m_looking.value_or(m_timeline.present)};
+        });
     setAccessibleName(tr("Timeline"));
-    readAs(*this, QAccessible::Slider, [this] { return spokenPlace(); },
-           [this] { return ReadRange{0, m_timeline.end, m_looking.value_or(m_timeline.present)}; });
 }
 
 QSize TimelineAxis::sizeHint() const

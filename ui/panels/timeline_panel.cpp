@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_panel.h"
 
 #include "ui/commands/availability.h"
+#include "ui/commands/strip_keys.h"
 #include "ui/document/entry_names.h"
 #include "ui/language/said.h"
 #include "ui/panels/choice_menu.h"
@@ -99,6 +100,7 @@ void TimelinePanel::makeButtons()
     for (QWidget* widget : std::initializer_list<QWidget*>{m_toStart, m_back, m_play, m_on, m_toEnd, m_rate, m_axis,
                                                            m_state, m_branch, m_return})
         row->addWidget(widget, widget == m_axis ? 1 : 0);
+    new StripKeys(*this);
     connect(m_axis, &TimelineAxis::stepped, this, &TimelinePanel::stepBy);
     connect(m_toStart->defaultAction(), &QAction::triggered, this, [this] { lookAt(0); });
     connect(m_toEnd->defaultAction(), &QAction::triggered, this, [this] { lookAt(m_axis->timeline().end); });
@@ -121,7 +123,6 @@ QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, co
     button->setObjectName(name);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus); // Space goes on meaning the simulation
     return button;
 }
 
@@ -130,7 +131,6 @@ void TimelinePanel::addButton(QAction* action)
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);
     layout()->addWidget(button);
 }
 

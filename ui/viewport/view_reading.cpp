@@ -52,8 +52,8 @@ QString spokenView(Document& document)
 
 void makeReadable(ViewportWidget& view, Document& document)
 {
-    view.setAccessibleName(ViewWords::tr("3D view"));
     readAs(view, QAccessible::Canvas, [&document] { return spokenView(document); });
+    view.setAccessibleName(ViewWords::tr("3D view"));
     QObject::connect(&document, &Document::changed, &view, [&view](Document::Change what) {
         if (what == Document::Change::Selection || what == Document::Change::Model)
             tellReader(view);
