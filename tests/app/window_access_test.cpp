@@ -54,6 +54,9 @@ private slots:
         for (QWidget* widget : m_window->findChildren<QWidget*>()) {
             if (widget->focusPolicy() == Qt::NoFocus || isInside(*widget))
                 continue;
+            const auto* button = qobject_cast<QAbstractButton*>(widget);
+            if (button != nullptr && button->isHidden() && button->text().isEmpty())
+                continue; // a banner has it only where there is something to do
             QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
             QVERIFY(told != nullptr);
             ++count;
@@ -61,6 +64,10 @@ private slots:
                 lacking << wordsOf(*widget) + " has no name";
             if (told->role() == QAccessible::NoRole || told->role() == QAccessible::Client)
                 lacking << wordsOf(*widget) + " has no role";
+            // The name of a list of choices is what is chosen: what it is for says its label or its description.
+            if (qobject_cast<QComboBox*>(widget) != nullptr && told->text(QAccessible::Description).isEmpty() &&
+                told->relations(QAccessible::Label).isEmpty())
+                lacking << wordsOf(*widget) + " has no label";
             const bool isField = qobject_cast<QLineEdit*>(widget) != nullptr ||
                                  qobject_cast<QComboBox*>(widget) != nullptr ||
                                  qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
@@ -135,7 +142,7 @@ private slots:
         QTest::keyClick(axis, Qt::Key_Right);
         QTRY_VERIFY(axis->lookedAt().value_or(0) > 0);
         QTest::keyClick(axis, Qt::Key_Left);
-        QTRY_COMPARE(axis->lookedAt().value_or(1), 0.0);
+        QTRY_COMPARE(axis->lookedAt().value_or(1), axis->timeline().pictures.front().at);
         QTest::keyClick(axis, Qt::Key_Escape);
         QTRY_VERIFY(!axis->lookedAt().has_value());
     }

@@ -140,6 +140,7 @@ CommandPalette::CommandPalette(QMainWindow& window)
     setAutoFillBackground(true);
     m_field->setObjectName("paletteField");
     m_field->setPlaceholderText(tr("What do you want to do?"));
+    m_field->setAccessibleName(m_field->placeholderText());
     m_field->setMinimumHeight(32);
     m_list->setObjectName("paletteList");
     m_list->setItemDelegate(new RowPainter(m_list));
