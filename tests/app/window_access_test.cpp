@@ -54,6 +54,9 @@ private slots:
         for (QWidget* widget : m_window->findChildren<QWidget*>()) {
             if (widget->focusPolicy() == Qt::NoFocus || isInside(*widget))
                 continue;
+            const auto* tabs = qobject_cast<QTabBar*>(widget);
+            if (tabs != nullptr && tabs->count() == 0)
+                continue; // kept by the window for panels that will share a place
             const auto* button = qobject_cast<QAbstractButton*>(widget);
             if (button != nullptr && button->isHidden() && button->text().isEmpty())
                 continue; // a banner has it only where there is something to do

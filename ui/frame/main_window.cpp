@@ -29,7 +29,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QChildEvent>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -440,14 +439,6 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         paths << url.toLocalFile();
     m_features->imports->openInstead(paths);
-}
-
-/// Rows of tabs come and go with the panels that share a place.
-void MainWindow::childEvent(QChildEvent* event)
-{
-    if (event->polished() && event->child()->inherits("QTabBar"))
-        static_cast<QWidget*>(event->child())->setAccessibleName(tr("Panels"));
-    QMainWindow::childEvent(event);
 }
 
 /// First what is not saved is asked about, and then the window closes by itself.
