@@ -8,8 +8,8 @@ class QWidget;
 
 namespace knead {
 
-/// Lets the keyboard reach the buttons of a strip: Tab leads to the strip as to one thing, arrows from button to button, and Enter
-/// presses. Space goes on meaning the simulation. Belongs to the strip.
+/// Lets the keyboard reach the buttons of a strip: Tab leads to the strip as to one thing, arrows from button to button,
+/// and Enter presses. Space goes on meaning the simulation. Belongs to the strip.
 class StripKeys final : public QObject {
     Q_OBJECT
 public:

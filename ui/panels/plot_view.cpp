@@ -16,7 +16,7 @@ namespace knead {
 
 namespace {
 
-constexpr double right = 14; // of the area [pixels]
+constexpr double right = 14;          // of the area [pixels]
 constexpr double labelSpacing = 90;   // along x [pixels]
 constexpr double rowSpacing = 34;     // along y [pixels]
 constexpr double shortestTime = 1e-6; // that is plotted, also of a single moment [s]
@@ -138,7 +138,8 @@ void PlotView::fitAxes()
 
 QRectF PlotView::area() const
 {
-    return {areaLeft(), areaTop(), std::max(10.0, width() - areaLeft() - right), std::max(10.0, height() - areaTop() - areaBottom())};
+    return {areaLeft(), areaTop(), std::max(10.0, width() - areaLeft() - right),
+            std::max(10.0, height() - areaTop() - areaBottom())};
 }
 
 QPointF PlotView::placeOf(const QPointF& value) const
@@ -187,8 +188,8 @@ void PlotView::paintGrid(QPainter& painter) const
         painter.setPen(QPen(y == 0 ? words : line, 1));
         painter.drawLine(QPointF(box.left(), at.y()), QPointF(box.right(), at.y()));
         painter.setPen(words);
-        painter.drawText(QRectF(0, at.y() - withText(10), areaLeft() - 8, withText(20)), Qt::AlignRight | Qt::AlignVCenter,
-                         formatReading(y, m_quantity));
+        painter.drawText(QRectF(0, at.y() - withText(10), areaLeft() - 8, withText(20)),
+                         Qt::AlignRight | Qt::AlignVCenter, formatReading(y, m_quantity));
     }
 }
 
