@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QFont>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
@@ -13,6 +14,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <utility>
 
 // The resources of a static library are not found by themselves; the macro must stand outside of namespaces.
 static void initializeResources()
@@ -139,6 +141,8 @@ struct ThemeColors {
     QColor window, base, alternate, button, text, dimmed, disabled, line, accent, accentText, link, tint, problem, tip;
 };
 
+int textSize = 100; // [per cent of what the system asks for]
+
 ThemeColors colorsOf(Theme theme)
 {
     if (theme == Theme::Dark)
@@ -147,14 +151,14 @@ ThemeColors colorsOf(Theme theme)
                 .alternate = "#25282c",
                 .button = "#363a40",
                 .text = "#e6e8ea",
-                .dimmed = "#a3a9b0",
-                .disabled = "#6d737a",
+                .dimmed = "#b0b6bd",
+                .disabled = "#858b92",
                 .line = "#454a51",
                 .accent = "#2c70dc",
                 .accentText = "#ffffff",
-                .link = "#77a9f7",
+                .link = "#8ab5f9",
                 .tint = "#28456e",
-                .problem = "#ff6b6b",
+                .problem = "#ff8585",
                 .tip = "#3a3f45"};
     return {.window = "#f0f2f4",
             .base = "#ffffff",
@@ -162,13 +166,13 @@ ThemeColors colorsOf(Theme theme)
             .button = "#e9ecef",
             .text = "#1d2126",
             .dimmed = "#5d656e",
-            .disabled = "#a0a7ae",
+            .disabled = "#80868d",
             .line = "#c9ced4",
             .accent = "#1668dc",
             .accentText = "#ffffff",
-            .link = "#1668dc",
+            .link = "#1562d2",
             .tint = "#d3e3fb",
-            .problem = "#cf2530",
+            .problem = "#c9222d",
             .tip = "#ffffff"};
 }
 
@@ -226,7 +230,8 @@ QTabBar::tab:top:selected { border-top-color: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
 QTreeView, QPlainTextEdit { border: 1px solid transparent; background: @base; }
-QTreeView:focus, QPlainTextEdit:focus { border-color: @accent; }
+QTextEdit { border: 1px solid transparent; }
+QTreeView:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent; }
 QTreeView::item { padding: 3px 2px; }
 QLineEdit { padding: 3px 6px; min-height: 18px; border: 1px solid @line; border-radius: 4px; background: @base; }
 QLineEdit:focus { border-color: @accent; }
@@ -242,6 +247,7 @@ QPushButton[role="primary"] { background: @accent; color: @accentText; border-co
 QPushButton[role="primary"]:focus { border-color: @text; }
 QToolButton[role="primary"] { padding: 7px 18px; border: 1px solid @accent; border-radius: 5px; background: @accent;
     color: @accentText; font-weight: 600; }
+QToolButton[role="primary"]:focus { border-color: @text; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { padding: 4px 3px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
@@ -255,7 +261,7 @@ QProgressBar::chunk { background: @accent; border-radius: 3px; }
 QLabel[role="dimmed"] { color: @dimmed; }
 QLabel[role="heading"] { font-weight: 600; }
 QLabel[role="slow"] { color: @problem; font-weight: 600; }
-QLabel[role="big"] { font-size: 16pt; font-weight: 600; }
+QLabel[role="big"] { font-size: @bigText; font-weight: 600; }
 QLabel[role="force"] {
     background: @tip; color: @text; border: 1px solid @line; border-radius: 4px; padding: 2px 6px; font-weight: 600;
 }
@@ -263,7 +269,7 @@ QFrame#banner { background: @tip; border: 1px solid @line; border-bottom: 2px so
 QFrame#dropZone { border: 2px dashed @line; border-radius: 12px; background: @base; }
 QFrame#dropZone[isOver="true"] { border-color: @accent; background: @tint; }
 QFrame#waitingWork { border: 1px solid @line; border-left: 4px solid @accent; border-radius: 6px; background: @base; }
-QLabel[role="title"] { font-size: 12pt; font-weight: 600; }
+QLabel[role="title"] { font-size: @titleText; font-weight: 600; }
 QTreeView[role="framed"] { border: 1px solid @line; border-radius: 4px; }
 QTreeView[role="framed"]:focus { border-color: @accent; }
 QFrame#commandPalette { background: @tip; border: 1px solid @accent; border-radius: 9px; }
@@ -278,14 +284,30 @@ QToolTip { background: @tip; color: @text; border: 1px solid @line; padding: 4px
         {"@accent", colors.accent},     {"@tint", colors.tint},     {"@problem", colors.problem}};
     for (const auto& [name, color] : names)
         sheet.replace(QLatin1String(name), color.name());
+    sheet.replace("@bigText", QString::number(withText(16)) + "pt");
+    sheet.replace("@titleText", QString::number(withText(12)) + "pt");
     return sheet;
 }
 
 } // namespace
 
-void applyTheme(QApplication& application, Theme theme)
+int withText(int pixels)
+{
+    return pixels * textSize / 100;
+}
+
+void applyTheme(QApplication& application, Theme theme, int textPercent)
 {
     initializeResources();
+    static const QFont systemFont = QApplication::font();
+    if (std::exchange(textSize, textPercent) != textPercent) {
+        QFont font = systemFont;
+        if (font.pointSizeF() > 0)
+            font.setPointSizeF(font.pointSizeF() * textPercent / 100);
+        else
+            font.setPixelSize(font.pixelSize() * textPercent / 100);
+        QApplication::setFont(font);
+    }
     const ThemeColors colors = colorsOf(theme);
     static const bool isStyled = [] { // once: it belongs to the program
         QApplication::setStyle(new Style);

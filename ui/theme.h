@@ -11,7 +11,11 @@ namespace knead {
 enum class Theme { Light, Dark };
 
 /// Gives the whole program the look of a theme; may be called again at any time.
-void applyTheme(QApplication& application, Theme theme);
+/// @param textPercent size of texts, in per cent of what the system asks for
+void applyTheme(QApplication& application, Theme theme, int textPercent = 100);
+
+/// A length in pixels that has room for text: it grows as texts do.
+int withText(int pixels);
 
 /// Gives a widget one of the looks that the style sheet has: "dimmed", "heading", "primary", ...; also one that was drawn.
 void setRole(QWidget& widget, const char* role);

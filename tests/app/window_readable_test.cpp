@@ -1,3 +1,4 @@
+#include "support/contrast.h"
 #include "support/window_on_test.h"
 #include "ui/interaction/hands.h"
 #include "ui/language/language.h"
@@ -321,21 +322,6 @@ private:
                 if (std::abs(qGray(image.pixel(x, y)) - qGray(image.pixel(image.width() - width, y))) > 12)
                     return true;
         return false;
-    }
-
-    /// As WCAG has it: 1 of the same color, 21 of black on white.
-    static double contrastOf(const QColor& a, const QColor& b)
-    {
-        const auto lightOf = [](const QColor& color) {
-            const auto linear = [](double share) {
-                return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-            };
-            return 0.05 + 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
-                   0.0722 * linear(color.blueF());
-        };
-        const double first = lightOf(a);
-        const double second = lightOf(b);
-        return std::max(first, second) / std::min(first, second);
     }
 
     /// Of edges, beside the cube.

@@ -36,6 +36,7 @@ private slots:
         chosen.smoothing = 8;
         chosen.turnsSmoothly = false;
         chosen.navigation = "solidworks";
+        chosen.textPercent = 125;
         writePreferences(chosen);
         QVERIFY(readPreferences() == chosen);
     }
@@ -57,6 +58,7 @@ private slots:
         settings.setValue("theme", "pink");
         settings.setValue("view/smoothing", 1000);
         settings.setValue("view/navigation", "of no program");
+        settings.setValue("textPercent", 1000);
         QVERIFY(readPreferences() == Preferences());
     }
 

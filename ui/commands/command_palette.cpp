@@ -2,6 +2,7 @@
 
 #include "ui/commands/availability.h"
 #include "ui/commands/fuzzy_match.h"
+#include "ui/theme.h"
 
 #include <QAction>
 #include <QApplication>
@@ -32,7 +33,7 @@ class RowPainter final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {0, rowHeight}; }
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {0, withText(rowHeight)}; }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
@@ -42,10 +43,8 @@ public:
         const QColor text = !why.isEmpty() ? palette.color(QPalette::Disabled, QPalette::Text)
                                            : palette.color(isChosen ? QPalette::HighlightedText : QPalette::Text);
         QColor aside = palette.color(QPalette::PlaceholderText);
-        if (isChosen && why.isEmpty()) {
+        if (isChosen && why.isEmpty())
             aside = text;
-            aside.setAlphaF(0.75F);
-        }
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         if (isChosen) {
@@ -141,6 +140,7 @@ CommandPalette::CommandPalette(QMainWindow& window)
     setAutoFillBackground(true);
     m_field->setObjectName("paletteField");
     m_field->setPlaceholderText(tr("What do you want to do?"));
+    m_field->setAccessibleName(m_field->placeholderText());
     m_field->setMinimumHeight(32);
     m_list->setObjectName("paletteList");
     m_list->setItemDelegate(new RowPainter(m_list));
@@ -231,7 +231,7 @@ void CommandPalette::addRow(const ListedAction& one, const QList<qsizetype>& hit
 void CommandPalette::place()
 {
     const int rows = std::clamp(static_cast<int>(m_shown.size()), 1, mostRows);
-    m_list->setFixedHeight(rows * rowHeight + 2 * m_list->frameWidth() + 2);
+    m_list->setFixedHeight(rows * withText(rowHeight) + 2 * m_list->frameWidth() + 2);
     const int height = m_field->minimumHeight() + m_list->height() + 3 * gap;
     const QSize size(std::min(usualWidth, m_window.width() - 40), height);
     setGeometry(QRect(QPoint((m_window.width() - size.width()) / 2, std::min(fromTop, m_window.height() / 8)), size));

@@ -161,6 +161,7 @@ QToolBar& makeToolBar(QMainWindow& window, const MenuSources& sources)
     measure->setObjectName("measureButton");
     measure->setIcon(icon("measure"));
     measure->setToolTip(WindowMenus::tr("Measure the part"));
+    measure->setAccessibleName(measure->toolTip());
     measure->setPopupMode(QToolButton::InstantPopup);
     measure->setMenu(f.measuring->menu());
     bar->addWidget(measure);

@@ -2,6 +2,7 @@
 
 #include "ui/frame/docks.h"
 #include "ui/frame/workbench.h"
+#include "ui/theme.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -47,7 +48,7 @@ void Tour::makeCard()
 {
     m_card->setObjectName("tourCard");
     m_card->setAttribute(Qt::WA_StyledBackground);
-    m_card->setFixedWidth(cardWidth);
+    m_card->setFixedWidth(withText(cardWidth));
     m_title = new QLabel(m_card);
     m_title->setObjectName("tourTitle");
     m_title->setProperty("role", "title");

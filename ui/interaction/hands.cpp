@@ -1,6 +1,7 @@
 #include "ui/interaction/hands.h"
 
 #include "ui/commands/availability.h"
+#include "ui/commands/strip_keys.h"
 #include "ui/interaction/gizmo_hand.h"
 #include "ui/interaction/hand_panel.h"
 #include "ui/interaction/key_hand.h"
@@ -129,6 +130,7 @@ QToolBar* Hands::newSculptBar(QWidget* parent) const
     bar->addActions({m_brushes.begin(), m_brushes.end()});
     bar->addSeparator();
     bar->addActions({m_mirrors.begin(), m_mirrors.end()});
+    new StripKeys(*bar);
     return bar;
 }
 

@@ -1,5 +1,7 @@
 #include "ui/interaction/key_cards.h"
 
+#include "ui/theme.h"
+
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPalette>
@@ -8,15 +10,40 @@ namespace knead {
 
 namespace {
 
-constexpr int cap = 20;     // edge of a key cap [pixels]
-constexpr int gap = 3;      // between caps [pixels]
-constexpr int padding = 6;  // [pixels]
-constexpr int title = 17;   // height of a name [pixels]
-constexpr int foot = 17;    // height of the line below [pixels]
-constexpr int wideCap = 34; // of up and down [pixels]
+constexpr int gap = 3;     // between caps [pixels]
+constexpr int padding = 6; // [pixels]
 constexpr double smallText = 0.85;
-constexpr int cardWidth = 3 * cap + wideCap + 4 * gap + 2 * padding;
-constexpr int cardHeight = title + 2 * cap + 2 * gap + 2 * padding;
+
+// With room for texts of any size [pixels].
+int cap() // edge of a key cap
+{
+    return withText(20);
+}
+
+int title() // height of a name
+{
+    return withText(17);
+}
+
+int foot() // height of the line below
+{
+    return withText(17);
+}
+
+int wideCap() // of up and down
+{
+    return withText(34);
+}
+
+int cardWidth()
+{
+    return 3 * cap() + wideCap() + 4 * gap + 2 * padding;
+}
+
+int cardHeight()
+{
+    return title() + 2 * cap() + 2 * gap + 2 * padding;
+}
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(KeyCards)
@@ -63,25 +90,25 @@ private:
         font.setBold(m_isUsed);
         m_painter.setFont(font);
         m_painter.setPen(textColor());
-        const QRect line(m_area.left() + padding, m_area.top() + padding / 2, m_area.width() - 2 * padding, title);
+        const QRect line(m_area.left() + padding, m_area.top() + padding / 2, m_area.width() - 2 * padding, title());
         m_painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                            m_painter.fontMetrics().elidedText(name, Qt::ElideRight, line.width()));
     }
 
     void drawCap(int key, int column, int row)
     {
-        drawKey(key, keyName(key), QRect(m_area.left() + padding + column * (cap + gap), top(row), cap, cap));
+        drawKey(key, keyName(key), QRect(m_area.left() + padding + column * (cap() + gap), top(row), cap(), cap()));
     }
 
     /// Up or down.
     void drawWideCap(int key, int row)
     {
-        const QRect place(m_area.left() + padding + 3 * (cap + gap) + gap, top(row), wideCap, cap);
+        const QRect place(m_area.left() + padding + 3 * (cap() + gap) + gap, top(row), wideCap(), cap());
         const QString arrow = row == 0 ? QStringLiteral("⤒") : QStringLiteral("⤓");
         drawKey(key, keyName(key).size() > 1 ? keyName(key) : keyName(key) + ' ' + arrow, place);
     }
 
-    int top(int row) const { return m_area.top() + title + padding + row * (cap + gap) - gap; }
+    int top(int row) const { return m_area.top() + title() + padding + row * (cap() + gap) - gap; }
 
     void drawKey(int key, const QString& text, const QRect& place)
     {
@@ -109,7 +136,7 @@ private:
 QSize keyCardsSize()
 {
     const int cards = static_cast<int>(drivenTools);
-    return {cards * cardWidth + (cards - 1) * gap * 2, cardHeight + gap + foot};
+    return {cards * cardWidth() + (cards - 1) * gap * 2, cardHeight() + gap + foot()};
 }
 
 void drawKeyCards(QPainter& painter, const QRect& area, const std::array<QString, drivenTools>& names,
@@ -119,13 +146,13 @@ void drawKeyCards(QPainter& painter, const QRect& area, const std::array<QString
     font.setPointSizeF(smallText * font.pointSizeF());
     painter.setFont(font);
     for (std::size_t place = 0; place < drivenTools; ++place) {
-        const QRect card(area.left() + static_cast<int>(place) * (cardWidth + 2 * gap), area.top(), cardWidth,
-                         cardHeight);
+        const QRect card(area.left() + static_cast<int>(place) * (cardWidth() + 2 * gap), area.top(), cardWidth(),
+                         cardHeight());
         const bool isUsed = !names[place].isEmpty();
         const QString name = isUsed ? names[place] : Words::tr("Tool %1: add one").arg(place + 1);
         Card(painter, card, pressed, palette, isUsed).draw(name, keyBindings()[place]);
     }
-    const QRect line(area.left(), area.bottom() - foot, area.width(), foot);
+    const QRect line(area.left(), area.bottom() - foot(), area.width(), foot());
     QColor back = palette.color(QPalette::ToolTipBase);
     back.setAlphaF(0.85F);
     painter.setPen(Qt::NoPen);

@@ -40,6 +40,7 @@ Banner::Banner(QWidget* parent)
     close->setIcon(icon("close"));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close"));
+    close->setAccessibleName(close->toolTip());
     row->addWidget(m_sign);
     row->addWidget(m_sentence, 1);
     row->addWidget(m_remedy);
@@ -104,6 +105,7 @@ void Banner::place()
 void Banner::show(const QString& sentence, const QString& remedy, const QString& other)
 {
     m_sentence->setText(sentence);
+    setAccessibleName(sentence);
     m_remedy->setText(remedy);
     m_remedy->setVisible(!remedy.isEmpty());
     m_other->setText(other);

@@ -97,6 +97,7 @@ void DisplayPanel::addSection(QFormLayout* form)
     inner->setContentsMargins(0, 0, 0, 0);
     m_axis->addItems({tr("X"), tr("Y"), tr("Z"), tr("Towards the eye")}); // in the order of Display::Section::Axis
     m_slider->setObjectName("sectionSlider");
+    m_slider->setAccessibleName(tr("Place of the section plane"));
     m_slider->setRange(0, sliderSteps);
     inner->addRow(tr("Across"), m_axis);
     inner->addRow(tr("At"), m_offset);

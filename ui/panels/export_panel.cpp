@@ -146,6 +146,7 @@ ExportPanel::ExportPanel(QWidget* parent)
     setObjectName("exportPanel");
     m_summary->setObjectName("exportSummary");
     m_parts->setObjectName("exportedParts");
+    m_parts->setAccessibleName(tr("Exported parts"));
     m_parts->setFrameShape(QFrame::NoFrame);
     m_parts->setHeaderLabels({tr("Part"), tr("Read back"), tr("As"), tr("Solids"), tr("Faces"),
                               tr("Distance to the material"), tr("Volume (since opened)"), tr("Mass")});

@@ -137,6 +137,7 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
 void HistoryPanel::makeTree()
 {
     m_tree->setObjectName("historyTree");
+    m_tree->setAccessibleName(tr("What was done"));
     m_tree->setColumnCount(columnCount);
     m_tree->setHeaderLabels({tr("What was done"), QString(), tr("Time"), tr("Made at")});
     m_tree->headerItem()->setToolTip(simulated, tr("Simulated time at its end"));
@@ -173,6 +174,7 @@ void HistoryPanel::makeFoot()
     m_used->setObjectName("historyMemory");
     m_used->setProperty("role", "dimmed");
     m_allowed->setObjectName("historyMemoryAllowed");
+    m_allowed->setAccessibleName(tr("Memory of the history"));
     m_allowed->setRange(static_cast<int>(DocumentHistory::leastMemory >> 20U), 1 << 16);
     m_allowed->setSingleStep(64);
     m_allowed->setSuffix(tr(" MB"));

@@ -38,6 +38,7 @@ ImportPanel::ImportPanel(QWidget* parent)
     m_fill->setToolTip(
         tr("Opens the file again: flat openings get a plane face, other surfaces are filled where they wind around"));
     m_remarks->setObjectName("importRemarks");
+    m_remarks->setAccessibleName(tr("Remarks"));
     m_remarks->setFrameShape(QFrame::NoFrame);
     m_remarks->setOpenLinks(false);
     for (const LengthUnit& unit : lengthUnits())

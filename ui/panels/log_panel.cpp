@@ -8,6 +8,7 @@ LogPanel::LogPanel(QWidget* parent)
     : QPlainTextEdit(parent)
 {
     setObjectName("log");
+    setAccessibleName(tr("Log"));
     setReadOnly(true);
     setMaximumBlockCount(5000);
     setUndoRedoEnabled(false);

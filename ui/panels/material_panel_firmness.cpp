@@ -49,6 +49,7 @@ void MaterialPanel::makeFirmnessRow()
     row->setContentsMargins(0, 0, 0, 0);
     m_firmness = new QSlider(Qt::Horizontal, m_firmnessRow);
     m_firmness->setObjectName("materialFirmness");
+    m_firmness->setAccessibleName(tr("Softer / firmer"));
     m_firmness->setRange(-notches, notches);
     m_firmness->setPageStep(perDouble);
     m_firmness->setTickPosition(QSlider::TicksBelow);

@@ -47,6 +47,7 @@ void MaterialPanel::makePresetRows()
         button->setObjectName(name);
         button->setIcon(icon(picture));
         button->setToolTip(tip);
+        button->setAccessibleName(tip);
         button->setAutoRaise(true);
         buttons->addWidget(button);
         return button;

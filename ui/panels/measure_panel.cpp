@@ -148,6 +148,8 @@ QToolButton* MeasurePanel::makeButton(const char* name, const char* picture, con
     button->setIcon(icon(picture));
     button->setText(text);
     button->setToolTip(tip);
+    if (text.isEmpty())
+        button->setAccessibleName(tip);
     button->setAutoRaise(true);
     button->setToolButtonStyle(text.isEmpty() ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     return button;
@@ -156,6 +158,7 @@ QToolButton* MeasurePanel::makeButton(const char* name, const char* picture, con
 void MeasurePanel::makeTree()
 {
     m_tree->setObjectName("measurements");
+    m_tree->setAccessibleName(tr("Measurements"));
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setHeaderLabels({tr("Measurement"), tr("Now"), tr("At rest"), tr("Change")});
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);

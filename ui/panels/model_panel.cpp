@@ -21,6 +21,7 @@ ModelPanel::ModelPanel(ModelTree* tree, QWidget* parent)
     row->setContentsMargins(6, 6, 6, 4);
     m_search->setObjectName("modelSearch");
     m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
+    m_search->setAccessibleName(m_search->placeholderText());
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_search->installEventFilter(this);

@@ -33,6 +33,7 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
     , m_document(document)
 {
     setObjectName("modelTree");
+    setAccessibleName(tr("Model"));
     setHeaderHidden(true);
     setIndentation(16);
     setIconSize({16, 16});

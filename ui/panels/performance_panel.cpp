@@ -2,6 +2,7 @@
 
 #include "ui/language/said.h"
 #include "ui/panels/status_readings.h"
+#include "ui/screen_reader.h"
 #include "ui/units.h"
 
 #include <QGridLayout>
@@ -95,6 +96,8 @@ public:
     {
         setObjectName("frameBudget");
         setFixedHeight(18);
+        readAs(*this, QAccessible::Chart, [this] { return spoken(); });
+        setAccessibleName(PerformancePanel::tr("Time of a frame"));
         setToolTip(PerformancePanel::tr("Time of a frame; its whole length is a sixtieth of a second"));
     }
 
@@ -130,6 +133,15 @@ protected:
     }
 
 private:
+    /// For those who do not see it.
+    QString spoken() const
+    {
+        QStringList stages;
+        for (std::size_t stage = 0; stage < m_seconds.size(); ++stage)
+            stages << PerformancePanel::tr(looks()[stage].name) + ' ' + milliseconds(m_seconds[stage]);
+        return stages.join(QStringLiteral(", "));
+    }
+
     std::vector<double> m_seconds;
 };
 

@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -11,7 +12,7 @@ namespace knead {
 namespace {
 
 constexpr int roundness = 7;
-constexpr int lines = 46; // height of what is below the picture [pixels]
+constexpr int lines = 46; // height of what is below the picture, of texts of the usual size [pixels]
 
 /// For pictures that have none of their own. Dark parts stand out from it in dark windows, too.
 QLinearGradient backgroundOf(const QRect& place)
@@ -40,7 +41,14 @@ PictureCard::PictureCard(const QImage& picture, const QString& name, const QStri
 
 QSize PictureCard::sizeHint() const
 {
-    return {pictureSize.width(), pictureSize.height() + lines};
+    return {pictureSize.width(), pictureSize.height() + withText(lines)};
+}
+
+void PictureCard::changeEvent(QEvent* event)
+{
+    QPushButton::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        setFixedSize(sizeHint());
 }
 
 void PictureCard::paintEvent(QPaintEvent* /*event*/)

@@ -1,6 +1,8 @@
 #include "ui/panels/plot_view.h"
 
 #include "ui/panels/plot_strokes.h"
+#include "ui/screen_reader.h"
+#include "ui/theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -14,13 +16,26 @@ namespace knead {
 
 namespace {
 
-constexpr double left = 78; // of the area [pixels]
-constexpr double right = 14;
-constexpr double top = 24;
-constexpr double bottom = 28;
+constexpr double right = 14;          // of the area [pixels]
 constexpr double labelSpacing = 90;   // along x [pixels]
 constexpr double rowSpacing = 34;     // along y [pixels]
 constexpr double shortestTime = 1e-6; // that is plotted, also of a single moment [s]
+
+// Of the area, with room for texts of any size [pixels].
+double areaLeft()
+{
+    return withText(78);
+}
+
+double areaTop()
+{
+    return withText(24);
+}
+
+double areaBottom()
+{
+    return withText(28);
+}
 
 bool hasPoints(const std::vector<PlotLine>& all)
 {
@@ -63,6 +78,7 @@ PlotView::PlotView(QWidget* parent)
     setObjectName("plot");
     setMouseTracking(true);
     setFocusPolicy(Qt::NoFocus);
+    readAs(*this, QAccessible::Chart, [this] { return spoken(); });
 }
 
 QSize PlotView::sizeHint() const
@@ -82,6 +98,7 @@ void PlotView::show(std::vector<PlotLine> lines, Quantity quantity, const QStrin
     m_lines = std::move(lines);
     m_quantity = quantity;
     m_title = title;
+    setAccessibleName(title);
     update();
 }
 
@@ -121,7 +138,8 @@ void PlotView::fitAxes()
 
 QRectF PlotView::area() const
 {
-    return {left, top, std::max(10.0, width() - left - right), std::max(10.0, height() - top - bottom)};
+    return {areaLeft(), areaTop(), std::max(10.0, width() - areaLeft() - right),
+            std::max(10.0, height() - areaTop() - areaBottom())};
 }
 
 QPointF PlotView::placeOf(const QPointF& value) const
@@ -163,15 +181,15 @@ void PlotView::paintGrid(QPainter& painter) const
         const QString time = formatReading(x, Quantity::Time);
         const double size = painter.fontMetrics().horizontalAdvance(time) + 2;
         const double from = std::min(at.x() - size / 2, width() - size); // the last one would be cut off
-        painter.drawText(QRectF(from, box.bottom() + 4, size, 20), Qt::AlignHCenter | Qt::AlignTop, time);
+        painter.drawText(QRectF(from, box.bottom() + 4, size, withText(20)), Qt::AlignHCenter | Qt::AlignTop, time);
     }
     for (const double y : m_y.labels()) {
         const QPointF at = placeOf({m_x.begin, y});
         painter.setPen(QPen(y == 0 ? words : line, 1));
         painter.drawLine(QPointF(box.left(), at.y()), QPointF(box.right(), at.y()));
         painter.setPen(words);
-        painter.drawText(QRectF(0, at.y() - 10, left - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
-                         formatReading(y, m_quantity));
+        painter.drawText(QRectF(0, at.y() - withText(10), areaLeft() - 8, withText(20)),
+                         Qt::AlignRight | Qt::AlignVCenter, formatReading(y, m_quantity));
     }
 }
 
@@ -203,28 +221,28 @@ QFont PlotView::titleFont() const
 
 QRectF PlotView::legendArea(std::size_t line) const
 {
-    double x = std::max(left, 8.0 + QFontMetrics(titleFont()).horizontalAdvance(m_title) + 20);
+    double x = std::max(areaLeft(), 8.0 + QFontMetrics(titleFont()).horizontalAdvance(m_title) + 20);
     const auto widthOf = [this](const PlotLine& one) { return 15 + fontMetrics().horizontalAdvance(one.name); };
     for (std::size_t i = 0; i < line; ++i)
         x += widthOf(m_lines[i]) + 16;
-    return {x, 0, static_cast<double>(widthOf(m_lines[line])), top};
+    return {x, 0, static_cast<double>(widthOf(m_lines[line])), areaTop()};
 }
 
 void PlotView::paintLegend(QPainter& painter) const
 {
     painter.setFont(titleFont());
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QPointF(8, top - 9), m_title);
+    painter.drawText(QPointF(8, areaTop() - 9), m_title);
     painter.setFont(font());
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const double x = legendArea(i).left();
         painter.setOpacity(isHidden(m_lines[i]) ? 0.4 : 1);
         painter.setPen(QPen(m_lines[i].color, 3, m_lines[i].style, Qt::FlatCap));
-        painter.drawLine(QPointF(x, top - 12), QPointF(x + 12, top - 12));
-        painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QPointF(x + 15, top - 8), m_lines[i].name);
+        painter.drawLine(QPointF(x, areaTop() - 12), QPointF(x + 12, areaTop() - 12));
+        painter.setOpacity(1);
+        painter.setPen(palette().color(isHidden(m_lines[i]) ? QPalette::Disabled : QPalette::Active, QPalette::Text));
+        painter.drawText(QPointF(x + 15, areaTop() - 8), m_lines[i].name);
     }
-    painter.setOpacity(1);
 }
 
 /// A line through the time under the mouse, and what the lines are there.
@@ -256,6 +274,16 @@ void PlotView::paintCursor(QPainter& painter) const
     painter.drawRoundedRect(label, 4, 4);
     painter.setPen(palette().color(QPalette::ToolTipText));
     painter.drawText(label.adjusted(6, 4, -6, -4), Qt::AlignLeft, text);
+}
+
+/// For those who do not see it: what the lines come to.
+QString PlotView::spoken() const
+{
+    QStringList ends;
+    for (const PlotLine& line : m_lines)
+        if (!line.points.empty() && !isHidden(line) && std::isfinite(line.points.back().y()))
+            ends << QStringLiteral("%1: %2").arg(line.name, formatReading(line.points.back().y(), m_quantity));
+    return ends.isEmpty() ? m_hint : ends.join(QStringLiteral(", "));
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event)

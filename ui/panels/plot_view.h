@@ -70,6 +70,7 @@ private:
     void paintLines(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;
+    QString spoken() const;
 
     std::vector<PlotLine> m_lines;
     Quantity m_quantity = Quantity::Number;

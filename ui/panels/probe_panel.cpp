@@ -77,6 +77,7 @@ ProbePanel::ProbePanel(ProbeSet& probes, QAction* place, QWidget* parent)
     column->setSpacing(4);
     makeRow(place);
     m_list->setObjectName("probes");
+    m_list->setAccessibleName(tr("Probes"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setRootIsDecorated(false);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -129,6 +130,7 @@ void ProbePanel::makeRow(QAction* place)
     m_delete->setObjectName("probeDelete");
     m_delete->setIcon(icon("delete"));
     m_delete->setToolTip(tr("Delete the selected probes, or all"));
+    m_delete->setAccessibleName(m_delete->toolTip());
     m_delete->setAutoRaise(true);
     connect(m_delete, &QToolButton::clicked, this, &ProbePanel::removeSelected);
     row->addWidget(button);

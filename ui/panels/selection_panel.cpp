@@ -81,6 +81,7 @@ void SelectionPanel::makeRegionRows()
 
     m_name = new QLineEdit(this);
     m_name->setObjectName("setName");
+    m_name->setAccessibleName(tr("Name of the selection"));
     m_name->setToolTip(tr("Enter keeps the selection under this name in the model tree"));
     connect(m_name, &QLineEdit::returnPressed, this, &SelectionPanel::keep);
     auto* keeping = new QHBoxLayout;

@@ -2,9 +2,12 @@
 
 #include "ui/document/entry_names.h"
 #include "ui/panels/plot_axis.h"
+#include "ui/screen_reader.h"
+#include "ui/theme.h"
 #include "ui/units.h"
 
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -18,7 +21,6 @@ namespace knead {
 namespace {
 
 constexpr int margin = 12;       // left and right [px]
-constexpr int rulerHeight = 16;  // numbers [px]
 constexpr int bandHeight = 6;    // of what was filmed [px]
 constexpr int tickHeight = 18;   // [px]
 constexpr int grabReach = 5;     // [px]
@@ -40,6 +42,12 @@ QPainterPath star(const QPointF& center, double radius)
     return path;
 }
 
+/// Of the numbers [px].
+int rulerHeight()
+{
+    return withText(16);
+}
+
 } // namespace
 
 TimelineAxis::TimelineAxis(std::function<QString(History::Entry)> nameOf, QWidget* parent)
@@ -50,23 +58,31 @@ TimelineAxis::TimelineAxis(std::function<QString(History::Entry)> nameOf, QWidge
     setMouseTracking(true);
     setMinimumWidth(110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFocusPolicy(Qt::NoFocus);
+    setFocusPolicy(Qt::TabFocus);
+    readAs(
+        *this, QAccessible::Slider, [this] { return spokenPlace(); },
+        [this] {
+            return ReadRange{0, m_timeline.end, m_looking.value_or(m_timeline.present)};
+        });
+    setAccessibleName(tr("Timeline"));
 }
 
 QSize TimelineAxis::sizeHint() const
 {
-    return {400, rulerHeight + tickHeight + 12};
+    return {400, rulerHeight() + tickHeight + 12};
 }
 
 void TimelineAxis::show(Timeline timeline)
 {
     m_timeline = std::move(timeline);
+    tellReader(*this);
     update();
 }
 
 void TimelineAxis::lookAt(std::optional<double> at)
 {
     m_looking = at;
+    tellReader(*this);
     update();
 }
 
@@ -78,7 +94,7 @@ double TimelineAxis::shownLength() const
 QPoint TimelineAxis::placeOf(double at) const
 {
     const double width = std::max(1, this->width() - 2 * margin);
-    return {margin + static_cast<int>(std::lround(at / shownLength() * width)), rulerHeight + tickHeight / 2 + 4};
+    return {margin + static_cast<int>(std::lround(at / shownLength() * width)), rulerHeight() + tickHeight / 2 + 4};
 }
 
 double TimelineAxis::atPlace(double x) const
@@ -98,6 +114,10 @@ void TimelineAxis::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (hasFocus()) {
+        painter.setPen(palette().color(QPalette::Highlight));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    }
     paintRuler(painter);
     if (m_timeline.ticks.empty())
         return;
@@ -121,11 +141,11 @@ void TimelineAxis::paintRuler(QPainter& painter) const
     for (const double at : axis.labels()) {
         const int x = placeOf(at).x();
         painter.setPen(palette().color(QPalette::Mid));
-        painter.drawLine(QPointF(x + 0.5, rulerHeight), QPointF(x + 0.5, height() - 4));
+        painter.drawLine(QPointF(x + 0.5, rulerHeight()), QPointF(x + 0.5, height() - 4));
         painter.setPen(palette().color(QPalette::PlaceholderText));
         const QString text = at == 0 ? tr("0 s") : localNumber(at, 'f', axis.decimals());
         const int textWidth = painter.fontMetrics().horizontalAdvance(text);
-        painter.drawText(std::clamp(x - textWidth / 2, 1, width() - textWidth - 1), rulerHeight - 4, text);
+        painter.drawText(std::clamp(x - textWidth / 2, 1, width() - textWidth - 1), rulerHeight() - 4, text);
     }
 }
 
@@ -198,11 +218,11 @@ void TimelineAxis::paintHeads(QPainter& painter) const
     const double x = placeOf(*m_looking).x() + 0.5;
     const QColor color("#d9622b");
     painter.setPen(QPen(color, 2));
-    painter.drawLine(QPointF(x, rulerHeight), QPointF(x, height() - 2));
+    painter.drawLine(QPointF(x, rulerHeight()), QPointF(x, height() - 2));
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
     painter.drawPolygon(
-        QPolygonF({{x - 6, 1.0 * rulerHeight}, {x + 6, 1.0 * rulerHeight}, {x, 1.0 * rulerHeight + 8}}));
+        QPolygonF({{x - 6, 1.0 * rulerHeight()}, {x + 6, 1.0 * rulerHeight()}, {x, 1.0 * rulerHeight() + 8}}));
 }
 
 QString TimelineAxis::textAt(double at) const
@@ -220,8 +240,50 @@ QString TimelineAxis::textAt(double at) const
     return timeText(near->at) + '\n' + names.join('\n') + '\n' + tr("Double-click: go there");
 }
 
+/// For those who do not see it: the time, and the last entry up to there.
+QString TimelineAxis::spokenPlace() const
+{
+    const double at = m_looking.value_or(m_timeline.present);
+    const Timeline::Tick* last = nullptr;
+    for (const Timeline::Tick& tick : m_timeline.ticks)
+        if (tick.at <= at + 1e-9 && (last == nullptr || tick.at >= last->at))
+            last = &tick;
+    return last == nullptr ? timeText(at) : tr("%1, entry %2").arg(timeText(at), m_nameOf(last->entry));
+}
+
+/// Arrows go from picture to picture, Home and End to the ends; Enter goes to the entry there, as a double click does.
+void TimelineAxis::keyPressEvent(QKeyEvent* event)
+{
+    if (!isOwnKey(*event) || m_timeline.ticks.empty()) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
+        emit stepped(event->key() == Qt::Key_Left ? -1 : 1);
+    } else if (event->key() == Qt::Key_Home || event->key() == Qt::Key_End) {
+        emit grabbed();
+        emit dragged(event->key() == Qt::Key_Home ? 0 : m_timeline.end);
+    } else {
+        emit doubleClicked(m_looking.value_or(m_timeline.present));
+    }
+}
+
+bool TimelineAxis::isOwnKey(const QKeyEvent& event)
+{
+    constexpr Qt::Key own[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_Return, Qt::Key_Enter};
+    const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    return isPlain && std::ranges::find(own, event.key()) != std::end(own);
+}
+
 bool TimelineAxis::event(QEvent* event)
 {
+    // The window uses some of them otherwise.
+    if (event->type() == QEvent::ShortcutOverride && isOwnKey(static_cast<QKeyEvent&>(*event))) {
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::FontChange)
+        updateGeometry();
     if (event->type() != QEvent::ToolTip || m_timeline.ticks.empty())
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);

@@ -33,10 +33,12 @@ signals:
     void dragged(double at); ///< [s]
     void released(double at);
     void doubleClicked(double at);
+    void stepped(int pictures); ///< by the keyboard
 
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -53,6 +55,8 @@ private:
     void paintTicks(QPainter& painter) const;
     void paintHeads(QPainter& painter) const;
     QString textAt(double at) const;
+    QString spokenPlace() const;
+    static bool isOwnKey(const QKeyEvent& event);
 
     std::function<QString(History::Entry)> m_nameOf;
     Timeline m_timeline;

@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_panel.h"
 
 #include "ui/commands/availability.h"
+#include "ui/commands/strip_keys.h"
 #include "ui/document/entry_names.h"
 #include "ui/language/said.h"
 #include "ui/panels/choice_menu.h"
@@ -11,6 +12,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
@@ -93,11 +95,13 @@ void TimelinePanel::makeButtons()
         policy.setRetainSizeWhenHidden(true);
         button->setSizePolicy(policy);
     }
-    m_state->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms")));
+    m_state->setFixedWidth(stateWidth());
     m_state->setAlignment(Qt::AlignCenter);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_toStart, m_back, m_play, m_on, m_toEnd, m_rate, m_axis,
                                                            m_state, m_branch, m_return})
         row->addWidget(widget, widget == m_axis ? 1 : 0);
+    new StripKeys(*this);
+    connect(m_axis, &TimelineAxis::stepped, this, &TimelinePanel::stepBy);
     connect(m_toStart->defaultAction(), &QAction::triggered, this, [this] { lookAt(0); });
     connect(m_toEnd->defaultAction(), &QAction::triggered, this, [this] { lookAt(m_axis->timeline().end); });
     connect(m_back->defaultAction(), &QAction::triggered, this, [this] { stepBy(-1); });
@@ -119,7 +123,6 @@ QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, co
     button->setObjectName(name);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus); // Space goes on meaning the simulation
     return button;
 }
 
@@ -128,7 +131,6 @@ void TimelinePanel::addButton(QAction* action)
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);
     layout()->addWidget(button);
 }
 
@@ -144,6 +146,19 @@ void TimelinePanel::documentChanged(Document::Change what)
     // Hidden too: its actions are in a menu and on keys as well.
     if (what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();
+}
+
+void TimelinePanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange && m_state != nullptr)
+        m_state->setFixedWidth(stateWidth());
+}
+
+/// So that it keeps its width while the time goes on.
+int TimelinePanel::stateWidth() const
+{
+    return fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms"));
 }
 
 void TimelinePanel::showEvent(QShowEvent* event)

@@ -46,10 +46,12 @@ signals:
     void looked(knead::FramePointer frame, const QString& caption);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void makeButtons();
+    int stateWidth() const;
     QToolButton* makeButton(const char* name, const char* picture, const QString& text, const QString& tip);
     void documentChanged(Document::Change what);
     void bringUpToDate();

@@ -29,6 +29,7 @@ void visit(Visitor&& visitor, Values& values)
     visitor("view/smoothing", values.smoothing, 1, 16);
     visitor("view/turnsSmoothly", values.turnsSmoothly);
     visitor("view/navigation", values.navigation);
+    visitor("textPercent", values.textPercent, 100, 150);
 }
 
 struct Reader {

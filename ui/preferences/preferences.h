@@ -22,6 +22,7 @@ struct Preferences {
     int threads = 0;              ///< that compute; 0: all that the machine has
     int smoothing = 4;            ///< samples of a pixel in the view: 1, 2, 4 or 8
     bool turnsSmoothly = true;    ///< the view glides from one direction to another
+    int textPercent = 100;        ///< size of texts, of what the system asks for [%], 100 to 150
     QString navigation = "knead"; ///< name of the NavigationPreset: which drags of the mouse orbit, pan and zoom
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

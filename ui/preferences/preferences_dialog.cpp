@@ -102,6 +102,10 @@ void PreferencesDialog::addGeneralPage()
          {tr("As the system"), static_cast<int>(Preferences::Look::System)}},
         [](const Preferences& p) { return QVariant(static_cast<int>(p.look)); },
         [](Preferences& p, const QVariant& value) { p.look = static_cast<Preferences::Look>(value.toInt()); });
+    addChoice(
+        form, tr("Text size"), "preferenceText", {{tr("100 %"), 100}, {tr("125 %"), 125}, {tr("150 %"), 150}},
+        [](const Preferences& p) { return QVariant(p.textPercent); },
+        [](Preferences& p, const QVariant& value) { p.textPercent = value.toInt(); });
     std::vector<Choice> spoken{{tr("As the system"), QString()}};
     for (const Language& language : languages())
         spoken.push_back({QString::fromUtf8(language.name), QString(language.code)});
@@ -286,7 +290,7 @@ void PreferencesDialog::restoreDefaults()
 /// The index of pages is a list, which those who make it have to say again.
 void PreferencesDialog::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange && m_index->count() > 0) {
+    if ((event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange) && m_index->count() > 0) {
         const QStringList titles{tr("General"), tr("Memory and safety"), tr("Files"), tr("3D view"), tr("Keys")};
         for (int i = 0; i < m_index->count(); ++i)
             m_index->item(i)->setText(titles[i]);

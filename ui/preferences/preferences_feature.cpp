@@ -87,7 +87,7 @@ void PreferencesFeature::set(const Preferences& wanted)
     const Preferences before = std::exchange(m_now, wanted);
     writePreferences(wanted);
     apply();
-    if (wanted.look != before.look)
+    if (wanted.look != before.look || wanted.textPercent != before.textPercent)
         applyLook();
     if (wanted.language != before.language)
         speak(languageFor(wanted.language));
@@ -138,7 +138,7 @@ void PreferencesFeature::applyLook()
 {
     const Preferences::Look look = m_now.look;
     const bool isDark = look == Preferences::Look::Dark || (look == Preferences::Look::System && m_system->isDark());
-    applyTheme(*qApp, isDark ? Theme::Dark : Theme::Light);
+    applyTheme(*qApp, isDark ? Theme::Dark : Theme::Light, m_now.textPercent);
     m_bench.viewport.setStyle(isDark ? darkScene() : lightScene());
     QAction* const actions[] = {m_actions.lightTheme, m_actions.darkTheme, m_actions.systemTheme};
     actions[static_cast<std::size_t>(look)]->setChecked(true);

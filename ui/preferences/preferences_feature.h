@@ -48,7 +48,7 @@ public:
     void followStored();
 
     void apply();     ///< all but the look
-    void applyLook(); ///< theme and colors
+    void applyLook(); ///< theme, colors and size of texts
 
 signals:
     /// What is wanted from now on, see apply().

@@ -2,6 +2,7 @@
 
 #include "core/session/region_contents.h"
 #include "ui/commands/availability.h"
+#include "ui/commands/strip_keys.h"
 #include "ui/display.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
@@ -117,6 +118,7 @@ QToolBar* SelectionFeature::newBar(QWidget* parent)
     bar->addActions(m_actions.levels);
     bar->addSeparator();
     bar->addActions(m_actions.shapes);
+    new StripKeys(*bar);
     return bar;
 }
 

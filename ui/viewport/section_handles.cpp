@@ -1,5 +1,7 @@
 #include "ui/viewport/section_handles.h"
 
+#include "ui/screen_reader.h"
+
 #include <QFontMetrics>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -58,6 +60,7 @@ DividerHandle::DividerHandle(QWidget* parent)
     setCursor(Qt::SplitHCursor);
     setFocusPolicy(Qt::ClickFocus);
     setToolTip(tr("Drag: the original on the left, the part as it is on the right"));
+    readAs(*this, QAccessible::Grip, [] { return QString(); });
     setAccessibleName(tr("Divider between before and after"));
     hide();
 }
@@ -129,6 +132,7 @@ SectionKnob::SectionKnob(QWidget* parent)
     setCursor(Qt::SizeAllCursor);
     setFocusPolicy(Qt::ClickFocus);
     setToolTip(tr("Drag to move the section plane; arrow keys move it by a hundredth of the part"));
+    readAs(*this, QAccessible::Grip, [] { return QString(); });
     setAccessibleName(tr("Section plane"));
     hide();
 }

@@ -5,6 +5,7 @@
 #include "ui/viewport/surface_field_overlay.h"
 #include "ui/viewport/surface_fields_preparer.h"
 #include "ui/viewport/view_cube.h"
+#include "ui/viewport/view_reading.h"
 
 #include <QLabel>
 #include <QVariantAnimation>
@@ -42,6 +43,7 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     m_caption->hide();
     setObjectName("viewport");
     setFocusPolicy(Qt::StrongFocus);
+    makeReadable(*this, document);
     setMouseTracking(true);
     m_turning->setDuration(turnTime);
     m_turning->setStartValue(0.0);
