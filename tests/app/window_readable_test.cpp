@@ -186,6 +186,30 @@ private slots:
                 QTest::addRow("%s, %d", language.code, size.width()) << QString(language.code) << size;
     }
 
+    void examplesOpenWithoutWarnings_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "paper-bar", "plate"})
+            QTest::newRow(name) << QString(name) + ".step";
+    }
+
+    /// What a person sees first is no list of what is wrong.
+    void examplesOpenWithoutWarnings()
+    {
+        QFETCH(QString, file);
+        m_window->open(QStringList(example(qPrintable(file))));
+        waitForTasks();
+        QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+        QVERIFY(!m_window->findChild<LogPanel*>()->toPlainText().contains("Warning"));
+        for (BodyId body = 0; body < document().content().bodies.size(); ++body) {
+            document().select({Selection::Kind::Body, body});
+            drawn();
+            for (const QLabel* label : m_window->findChildren<QLabel*>())
+                QVERIFY2(!label->isVisible() || label->property("role") != "slow", qPrintable(label->text()));
+        }
+        picture(qPrintable("example-" + file.chopped(5)));
+    }
+
     /// With all that panels can show, at the width that they have when the window opens.
     void wordsOfPanelsAreNeverCut()
     {
