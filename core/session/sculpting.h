@@ -31,6 +31,9 @@ bool usesFingers(SculptBrush brush);
 /// Whether a grip of it turns.
 bool turnsPatch(SculptBrush brush);
 
+/// Whether a tool or a fixture has a name that strokes give: "Finger 2", "Grip 1", "Other hand 1".
+bool isNameOfStroke(const std::string& name);
+
 /// How a hand works. SI.
 struct SculptChoice {
     SculptBrush brush = SculptBrush::pull;
