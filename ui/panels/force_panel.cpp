@@ -52,10 +52,12 @@ ForcePanel::ForcePanel(Document& document, QAction* exportTable, QAction* withSt
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);
+    auto* strokes = boxFor(withStrokes, this);
+    strokes->setFocusPolicy(Qt::NoFocus);
     auto* side = new QVBoxLayout;
     side->setContentsMargins(8, 6, 8, 6);
     side->addWidget(m_component);
-    side->addWidget(boxFor(withStrokes, this));
+    side->addWidget(strokes);
     side->addWidget(button);
     side->addStretch(1);
     auto* row = new QHBoxLayout(this);
