@@ -36,6 +36,11 @@ std::vector<std::uint8_t> heldObjects(const Snapshot& now, BodyId body, const st
     return isHeld;
 }
 
+// What strokes call their tools and fixtures, before a number.
+constexpr const char* fingerStem = "Finger";
+constexpr const char* gripStem = "Grip";
+constexpr const char* holdStem = "Other hand";
+
 /// A name with a number that no tool and no fixture has, nor one of `taken`.
 std::string freeName(const Snapshot& now, const std::string& stem, std::vector<std::string>& taken)
 {
@@ -54,6 +59,16 @@ bool usesFingers(SculptBrush brush)
 {
     return brush == SculptBrush::thumb || brush == SculptBrush::smooth || brush == SculptBrush::flatten ||
            brush == SculptBrush::smear;
+}
+
+bool isNameOfStroke(const std::string& name)
+{
+    const std::size_t gap = name.rfind(' ');
+    if (gap == std::string::npos || gap + 1 == name.size() ||
+        name.find_first_not_of("0123456789", gap + 1) != std::string::npos)
+        return false;
+    const std::string stem = name.substr(0, gap);
+    return stem == fingerStem || stem == gripStem || stem == holdStem;
 }
 
 bool turnsPatch(SculptBrush brush)
@@ -115,7 +130,7 @@ void SculptStroke::addTouches(const Snapshot& now)
     }
     std::vector<std::string> taken;
     for (Touch& touch : m_touches)
-        touch.name = freeName(now, usesFingers(m_choice.brush) ? "Finger" : "Grip", taken);
+        touch.name = freeName(now, usesFingers(m_choice.brush) ? fingerStem : gripStem, taken);
 }
 
 /// As a sculptor's other hand does: what is far from all touches, where nothing else holds the body.
@@ -142,7 +157,7 @@ void SculptStroke::addHold(const Snapshot& now)
     if (hold.objects.empty())
         return;
     std::vector<std::string> taken;
-    hold.name = freeName(now, "Other hand", taken);
+    hold.name = freeName(now, holdStem, taken);
     m_hold = std::move(hold);
 }
 

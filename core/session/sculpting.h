@@ -31,6 +31,9 @@ bool usesFingers(SculptBrush brush);
 /// Whether a grip of it turns.
 bool turnsPatch(SculptBrush brush);
 
+/// Whether a tool or a fixture has a name that strokes give: "Finger 2", "Grip 1", "Other hand 1".
+bool isNameOfStroke(const std::string& name);
+
 /// How a hand works. SI.
 struct SculptChoice {
     SculptBrush brush = SculptBrush::pull;
@@ -83,7 +86,8 @@ public:
 
     double force(const Snapshot& now) const; ///< of the hand at the first place [N]
     bool isAtLimit(const Snapshot& now) const;
-    Vec3 placeNow(const Snapshot& now) const; ///< that was taken first [m]
+    /// That was taken first; of a finger what it is above, which lags behind the hand where its limits hold it [m].
+    Vec3 placeNow(const Snapshot& now) const;
     /// Of the grip of the other hand; empty: none.
     std::string nameOfHold() const { return m_hold ? m_hold->name : std::string(); }
     const SurfaceSpot& spot() const { return m_spot; } ///< under the hand, as it was when the stroke began

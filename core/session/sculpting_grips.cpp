@@ -119,9 +119,17 @@ void SculptStroke::moveGrip(Touch& touch, const Snapshot& now, double dt, std::v
 
 Vec3 SculptStroke::placeNow(const Snapshot& now) const
 {
-    if (m_touches.empty() || usesFingers(m_choice.brush))
+    if (m_touches.empty())
         return m_spot.place;
     const Touch& first = m_touches.front();
+    if (usesFingers(m_choice.brush)) {
+        const ToolState* tool = toolOf(first, now);
+        if (tool == nullptr)
+            return m_spot.place;
+        const Vec3& normal = m_choice.brush == SculptBrush::flatten ? m_start.normal : m_spot.normal;
+        const Vec3 lag = first.mirror.cwiseProduct(tool->pose.position - poseOf(first, false).position);
+        return m_spot.place + lag - lag.dot(normal) * normal;
+    }
     return first.place + first.aside + middleNow(first, now) - first.patch;
 }
 

@@ -1,4 +1,5 @@
 #include "support/contrast.h"
+#include "support/cut_texts.h"
 #include "support/window_on_test.h"
 #include "ui/interaction/hands.h"
 #include "ui/language/language.h"
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTreeWidget>
 #include <QWheelEvent>
 
 #include <vtkRenderWindow.h>
@@ -174,6 +176,108 @@ private slots:
             look(qPrintable("panel-de-" + dock->objectName()));
         }
         speak("en");
+    }
+
+    void wordsOfPanelsAreNeverCut_data()
+    {
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<QSize>("size");
+        for (const Language& language : languages())
+            for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+                QTest::addRow("%s, %d", language.code, size.width()) << QString(language.code) << size;
+    }
+
+    void examplesOpenWithoutWarnings_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "paper-bar", "plate"})
+            QTest::newRow(name) << QString(name) + ".step";
+    }
+
+    /// What a person sees first is no list of what is wrong.
+    void examplesOpenWithoutWarnings()
+    {
+        QFETCH(QString, file);
+        m_window->open(QStringList(example(qPrintable(file))));
+        waitForTasks();
+        QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+        QVERIFY(!m_window->findChild<LogPanel*>()->toPlainText().contains("Warning"));
+        for (BodyId body = 0; body < document().content().bodies.size(); ++body) {
+            document().select({Selection::Kind::Body, body});
+            drawn();
+            for (const QLabel* label : m_window->findChildren<QLabel*>())
+                QVERIFY2(!label->isVisible() || label->property("role") != "slow", qPrintable(label->text()));
+        }
+        picture(qPrintable("example-" + file.chopped(5)));
+    }
+
+    /// With all that panels can show, at the width that they have when the window opens.
+    void wordsOfPanelsAreNeverCut()
+    {
+        QFETCH(QString, code);
+        QFETCH(QSize, size);
+        QSettings().setValue("language", code);
+        show(m_services);
+        m_window->resize(size);
+        QTRY_COMPARE(m_window->size(), size);
+        openExample("bracket.step", 10);
+        for (const ToolKind kind : {ToolKind::box, ToolKind::cylinder})
+            document().addTool(kind);
+        QTest::keyClick(m_window.get(), Qt::Key_2);
+        click(faceTowardsTheEye().first);
+        QTRY_VERIFY(!document().selected().region().isEmpty());
+        document().fixRegion(document().selected().region());
+        QTRY_VERIFY(!snapshot().fixtures.empty());
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{2});
+        for (const char* name : {"section", "compare"})
+            action(name)->setChecked(true);
+        action("color-strain")->trigger();
+        drawn(); // numbers for a range
+        action("automaticRange")->trigger();
+        action("measureMass")->trigger();
+        click(faceTowardsTheEye().first);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        action("play")->trigger();
+        QTRY_VERIFY(snapshot().time > 0.01);
+        action("play")->trigger();
+        QStringList cut;
+        const auto look = [&](const QDockWidget& dock, const char* what) {
+            drawn();
+            picture(qPrintable(code + QString::number(size.width()) + what + dock.objectName()));
+            for (const QString& text : cutTextsIn(*m_window))
+                if (const QString line = dock.objectName() + what + ": " + text; !cut.contains(line))
+                    cut << line;
+        };
+        auto* properties = find<QDockWidget>("propertiesDock");
+        const std::vector<Selection> ones{{Selection::Kind::Region},
+                                          {Selection::Kind::Tool, snapshot().tools[0].id},
+                                          {Selection::Kind::Tool, snapshot().tools[1].id},
+                                          {Selection::Kind::Body, 0},
+                                          {Selection::Kind::Fixture, document().fixtures().list().front().key},
+                                          {}};
+        for (const Selection& one : ones) {
+            if (one.kind != Selection::Kind::Region)
+                document().select(one);
+            look(*properties, qPrintable(QStringLiteral("-%1-").arg(int(one.kind))));
+        }
+        for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            look(*dock, "-");
+        }
+        for (const QTabBar* tabs : m_window->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+            cutTexts::lookAt(*tabs, cut);
+        action("compareWithOriginal")->trigger();
+        QTRY_VERIFY(m_window->findChild<QDialog*>("comparisonDialog"));
+        picture(qPrintable(code + QString::number(size.width()) + "compare"));
+        cut << cutTextsIn(*find<QDialog>("comparisonDialog"));
+        auto* table = find<QTreeWidget>("comparison");
+        if (table->header()->length() > table->viewport()->width())
+            cut << QStringLiteral("comparison: columns of %1 in %2")
+                       .arg(table->header()->length())
+                       .arg(table->viewport()->width());
+        speak("en");
+        QVERIFY2(cut.isEmpty(), qPrintable("\n" + cut.join('\n')));
     }
 
     /// In the language of the longest words, with all that can be said at once.

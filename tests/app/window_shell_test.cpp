@@ -342,6 +342,8 @@ private slots:
         for (const char* name : {"filmBack", "filmRate-0"})
             QCOMPARE(action(name)->property("whyDisabled").toString(),
                      QString("Zuerst etwas simulieren und darauf zurücksehen."));
+        QCOMPARE(find<QComboBox>("filmRate")->itemText(0), QString("0,1x"));
+        QCOMPARE(action("filmRate-0")->text(), QString("0,1x"));
         rest();
         picture("german");
         dialog()->close();

@@ -227,10 +227,12 @@ private slots:
         addBlock();
         auto* toEnd = action("filmEnd");
         QVERIFY(!toEnd->isEnabled() && !find<QComboBox>("filmRate")->isEnabled());
+        QCOMPARE(action("filmRate-0")->statusTip(), QString("Simulate something first, and look back at it."));
         for (const double time : {0.3, 0.3}) { // of the second run the film is longer
             simulate(time);
             settle();
             QTRY_VERIFY(toEnd->isEnabled() && find<QComboBox>("filmRate")->isEnabled());
+            QVERIFY(action("filmRate-0")->isEnabled() && action("filmRate-0")->statusTip().isEmpty());
             QTRY_COMPARE(axis().timeline().end, snapshot().time);
             const QString end = timeText(snapshot().time);
             toEnd->trigger();

@@ -190,6 +190,23 @@ private slots:
                                     .arg(1e3 * (top - place.height(Vec3(x, 0, 0), 1.6e-3)))));
     }
 
+    /// The ring around it is where it is, and not where the hand is already.
+    void aThumbThatIsBehindIsSeenWhereItIs()
+    {
+        Workplace place(lump({16, 16, 6}));
+        const double top = 3 * spacing;
+        SculptStroke stroke = place.begin(choiceOf(SculptBrush::thumb, 4e-3), onTop(-10e-3, 0, top));
+        place.hold(stroke, 0.2);
+        QVERIFY((stroke.placeNow(place.now()) - Vec3(-10e-3, 0, top)).norm() < 0.1e-3);
+        stroke.moveTo(onTop(10e-3, 0, top)); // at once, and faster than fingers are
+        place.hold(stroke, 0.05);
+        const Vec3 seen = stroke.placeNow(place.now());
+        const double isAt = place.now().tools.at(0).pose.position.x();
+        QVERIFY2(isAt < 0 && std::abs(seen.x() - isAt) < 1e-9 && std::abs(seen.z() - top) < 1e-9,
+                 qPrintable(QString("%1 %2 %3").arg(isAt).arg(seen.x()).arg(seen.z())));
+        QVERIFY(place.release(stroke));
+    }
+
     void whatIsDoneIsDoneAcrossThePlanesToo()
     {
         Workplace place(lump({20, 12, 6}));

@@ -130,7 +130,7 @@ private slots:
         Timeline line;
         line.pictures = {picture(0, {}), picture(0.5, {{.id = 3, .name = "Block 1", .force = Vec3(3, 0, 4)}})};
         line.end = 0.5;
-        const ForceRecord record = forceRecordOf(line);
+        const ForceRecord record = forceRecordOf(line, false);
         QCOMPARE(record.curves.size(), std::size_t{2});
         QCOMPARE(QString::fromStdString(record.curves[0].name), QString("Block 1")); // tools first
         QVERIFY(!record.curves[0].forces[0].has_value());
@@ -142,6 +142,25 @@ private slots:
                                    "\"Foot, left F [N]\""));
         QCOMPARE(lines[1], QString("0,,,,,0,0,-1,1"));
         QCOMPARE(lines[2], QString("0.5,3,0,4,5,0,0,-1,1"));
+    }
+
+    /// Each stroke has others, which would be lines and columns without end.
+    void fingersAndGripsOfBrushesAreNoCurvesUnlessAskedFor()
+    {
+        auto frame = std::make_shared<PlaybackFrame>();
+        frame->tools = {{.id = 0, .name = "Block 1"}, {.id = 1, .name = "Finger 12"}, {.id = 2, .name = "Finger food"}};
+        frame->fixtures = {{.id = 0, .name = "Grip 1"}, {.id = 1, .name = "Other hand 1"}, {.id = 2, .name = "Grip"}};
+        Timeline line;
+        line.pictures.resize(1);
+        line.pictures[0].frame = frame;
+        const auto names = [&](bool withStrokes) {
+            QStringList all;
+            for (const ForceRecord::Curve& curve : forceRecordOf(line, withStrokes).curves)
+                all << QString::fromStdString(curve.name);
+            return all.join(", ");
+        };
+        QCOMPARE(names(false), QString("Block 1, Finger food, Grip"));
+        QCOMPARE(names(true), QString("Block 1, Finger 12, Finger food, Grip 1, Other hand 1, Grip"));
     }
 
     void anglesAndStiffnessesHaveUnits()

@@ -99,6 +99,18 @@ private slots:
         QCOMPARE(label.text(), QString("Block"));
     }
 
+    void numbersInSentencesHaveTheSignOfTheLanguage()
+    {
+        QWidget window;
+        auto* box = new QComboBox(&window);
+        box->addItem(said(Message("TimelinePanel", "%1x").with(numberMessage(0.25))));
+        QCOMPARE(box->itemText(0), QString("0.25x"));
+        speak("de");
+        QCOMPARE(box->itemText(0), QString("0,25x"));
+        speak("en");
+        QCOMPARE(box->itemText(0), QString("0.25x"));
+    }
+
     void sentencesAreSaidAnewWithWhatIsInThem()
     {
         const Message rename = Message("EntryNames", "Add %1").with(Message("Actions", "Ball"));

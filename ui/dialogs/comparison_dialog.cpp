@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -16,7 +17,7 @@ namespace knead {
 
 namespace {
 
-constexpr int comparisonWidth = 860; // [pixels]
+constexpr int comparisonWidth = 860; // at least; as wide as its columns [pixels]
 constexpr int comparedHeight = 360;  // of its height at the start; more parts are scrolled to [pixels]
 
 QString lengthText(double length)
@@ -75,8 +76,12 @@ ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent
     column->addWidget(table, 1);
     column->addWidget(buttons);
     report->setFocus();
-    const int others = column->totalHeightForWidth(comparisonWidth) - table->sizeHint().height();
-    resize(comparisonWidth, others + std::min(table->sizeHint().height(), comparedHeight));
+    const QMargins rim = column->contentsMargins();
+    const int room =
+        table->header()->length() + 2 * table->frameWidth() + table->verticalScrollBar()->sizeHint().width();
+    const int width = std::max(comparisonWidth, room + rim.left() + rim.right());
+    const int others = column->totalHeightForWidth(width) - table->sizeHint().height();
+    resize(width, others + std::min(table->sizeHint().height(), comparedHeight));
 }
 
 } // namespace knead

@@ -4,6 +4,7 @@
 #include "ui/document/entry_names.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
+#include "ui/units.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -75,7 +76,7 @@ void RecordDialog::makeFields(double end)
     m_to->setValue(end);
     m_speed = makeChoice("recordSpeed", this);
     for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
-        m_speed->addItem(speed == 1 ? tr("As simulated") : tr("%1 times").arg(speed), speed);
+        m_speed->addItem(speed == 1 ? tr("As simulated") : tr("%1 times").arg(localNumber(speed, 'g', 6)), speed);
     m_rate = makeChoice("recordRate", this);
     for (const int rate : {24, 25, 30, 50, 60})
         m_rate->addItem(QString::number(rate), rate);

@@ -85,7 +85,7 @@ void Document::tellBalance(const StaticReport& report)
         emit balanced(tr("In balance: no force acts on the part."));
     else
         emit balanced(said(Message("Document", "In balance: the forces that are left are %1 of those that act.")
-                               .with(QString::number(report.residual, 'g', 2).toStdString())));
+                               .with(numberMessage(report.residual, 'g', 2))));
 }
 
 } // namespace knead

@@ -91,14 +91,14 @@ bool isMoved(const FilledBody& body, const BodyFrame& frame)
     return !std::ranges::equal(body.mesh.vertices, frame.places);
 }
 
-/// "114.0, -7.6, 0.0 mm"
+/// "114.0, -7.6, 0.0 mm"; "114,0; -7,6; 0,0 mm" where a comma begins the decimals.
 QString placeText(const Vec3& place)
 {
     const ShownUnit unit = shownUnit(place.cwiseAbs().maxCoeff(), Quantity::Length);
     QStringList numbers;
     for (const double coordinate : place)
-        numbers << QString::number(coordinate / unit.scale, 'f', 1);
-    return numbers.join(", ") + ' ' + unit.symbol;
+        numbers << localNumber(coordinate / unit.scale, 'f', 1);
+    return numbers.join(localNumber(0, 'f', 1).contains(',') ? "; " : ", ") + ' ' + unit.symbol;
 }
 
 } // namespace

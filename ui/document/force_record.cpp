@@ -1,5 +1,7 @@
 #include "ui/document/force_record.h"
 
+#include "core/session/sculpting.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -27,12 +29,14 @@ QString number(double value)
 
 } // namespace
 
-ForceRecord forceRecordOf(const Timeline& timeline)
+ForceRecord forceRecordOf(const Timeline& timeline, bool withStrokes)
 {
     ForceRecord record{.times = {}, .curves = {}, .present = timeline.present, .end = timeline.end};
     std::map<Key, ForceRecord::Curve> curves;
     const std::size_t count = timeline.pictures.size();
     const auto put = [&](const Key& key, const std::string& name, const Vec3& force, std::size_t at) {
+        if (!withStrokes && isNameOfStroke(name))
+            return;
         ForceRecord::Curve& curve = curves[key];
         curve.name = name;
         curve.forces.resize(count);

@@ -24,7 +24,8 @@ struct ForceRecord {
     double end = 0;            ///< [s]
 };
 
-ForceRecord forceRecordOf(const Timeline& timeline);
+/// @param withStrokes also of fingers and grips of brushes, which come and go with each stroke; see isNameOfStroke()
+ForceRecord forceRecordOf(const Timeline& timeline, bool withStrokes);
 
 /// What of a force is looked at.
 enum class ForceComponent { magnitude, x, y, z };

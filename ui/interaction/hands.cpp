@@ -29,7 +29,7 @@ Hands::Hands(const Workbench& bench)
 {
     makeActions();
     connectActions();
-    bench.availability.needBodies({m_gizmo, m_ownAxes, m_keys, m_forces, m_forceTable});
+    bench.availability.needBodies({m_gizmo, m_ownAxes, m_keys, m_forces, m_forceTable, m_forcesOfStrokes});
     bench.availability.needBodies(modes());
     bench.availability.needBodies({m_brushChanges.begin(), m_brushChanges.end()});
 }
@@ -68,6 +68,8 @@ void Hands::makeActions()
     m_forcePlot = make("forcePlot", tr("Plot of forces"), "plot", Qt::Key_F9, tr("Show forces over time"), false);
     m_forceTable = make("exportForces", tr("Forces as table..."), "export", {},
                         tr("Write the forces over time as a CSV file"), false);
+    m_forcesOfStrokes = make("forcesOfStrokes", tr("Forces of brushes, too"), nullptr, {},
+                             tr("Fingers and grips of brushes have lines in the plot and columns in the table, too"));
 }
 
 void Hands::makeBrushes()
@@ -203,7 +205,7 @@ void Hands::addTo(QMenu* menu) const
     sculpt->addActions({m_brushChanges.begin(), m_brushChanges.end()});
     menu->addAction(m_spaceMouse);
     menu->addSeparator();
-    menu->addActions({m_forces, m_forcePlot, m_forceTable});
+    menu->addActions({m_forces, m_forcePlot, m_forceTable, m_forcesOfStrokes});
 }
 
 void Hands::listen(const ListenToSpaceMouse& listen)

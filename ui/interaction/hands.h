@@ -41,6 +41,7 @@ public:
     QList<QAction*> modes() const;
     QToolBar* newSculptBar(QWidget* parent) const;
     QAction* forceTableAction() const { return m_forceTable; }
+    QAction* forcesOfStrokesAction() const { return m_forcesOfStrokes; } ///< in plot and table
     QAction* forcePlotAction() const { return m_forcePlot; }
 
     const GizmoHand& gizmo() const { return *m_gizmoHand; }
@@ -80,6 +81,7 @@ private:
     QAction* m_forces = nullptr;
     QAction* m_forcePlot = nullptr;
     QAction* m_forceTable = nullptr;
+    QAction* m_forcesOfStrokes = nullptr;
 };
 
 } // namespace knead

@@ -78,7 +78,8 @@ HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
     new FoldMarks(*folds, bench.viewport);
     connect(folds, &FoldWatch::said, &bench.notices, &Notices::remark);
     bench.docks.add("handsDock", tr("Hands"), scrolled(m_hands->makePanel()));
-    bench.docks.add("forcesDock", tr("Forces"), new ForcePanel(bench.document, m_hands->forceTableAction()));
+    bench.docks.add("forcesDock", tr("Forces"),
+                    new ForcePanel(bench.document, m_hands->forceTableAction(), m_hands->forcesOfStrokesAction()));
     connect(m_hands->forcePlotAction(), &QAction::triggered, this,
             [this] { m_bench.docks.showAtLeast("forcesDock", plotHeight); });
     connect(m_hands->forceTableAction(), &QAction::triggered, this, &HandsFeature::askForForces);
@@ -130,7 +131,9 @@ void HandsFeature::exportForces(const QString& path)
         m_bench.notices.problem(tr("There are no forces to write yet: press Play and let something happen first."));
         return;
     }
-    writeTextFile(m_bench, path, [line] { return csvOf(forceRecordOf(line)).toUtf8(); });
+    writeTextFile(m_bench, path, [line, strokes = m_hands->forcesOfStrokesAction()->isChecked()] {
+        return csvOf(forceRecordOf(line, strokes)).toUtf8();
+    });
 }
 
 } // namespace knead

@@ -30,8 +30,9 @@ constexpr double moreForce = 1.5;      // with one key, at the limit
 constexpr double weakest = 0.1;        // of the strength that suits the material
 constexpr double strongest = 20;
 constexpr int ringCorners = 48;
-constexpr int ringMargin = 4; // [pixels]
-constexpr int toldFor = 1200; // radius and strength, after they changed [ms]
+constexpr int ringMargin = 4;       // [pixels]
+constexpr double behindShare = 0.5; // of its radius; a finger farther from where it shall go hangs on a spring
+constexpr int toldFor = 1200;       // radius and strength, after they changed [ms]
 
 } // namespace
 
@@ -352,7 +353,9 @@ std::vector<QPolygonF> SculptHand::rings() const
     std::vector<QPolygonF> rings;
     if (!m_hover && !isStroking())
         return rings;
-    const SurfaceSpot spot = m_hover ? m_hover->spot : m_stroke->spot();
+    SurfaceSpot spot = m_hover ? m_hover->spot : m_stroke->spot();
+    if (isStroking() && usesFingers(*m_brush)) // where the finger is, not where it shall go
+        spot.place = m_stroke->placeNow(*m_document.frame()->snapshot);
     const HandChoices& choices = m_settings.choices();
     for (int mirrors = 0; mirrors < 8; ++mirrors) {
         const Vec3 mirror((mirrors & 1) != 0 ? -1 : 1, (mirrors & 2) != 0 ? -1 : 1, (mirrors & 4) != 0 ? -1 : 1);
@@ -375,15 +378,24 @@ std::vector<QPolygonF> SculptHand::rings() const
     return rings;
 }
 
+/// Where the spring between material and hand begins, on the screen. A finger has one as long as it is behind.
+std::optional<QPointF> SculptHand::springBegin() const
+{
+    if (!isStroking())
+        return {};
+    const Vec3 place = m_stroke->placeNow(*m_document.frame()->snapshot);
+    if (usesFingers(*m_brush) && (place - m_stroke->spot().place).norm() < behindShare * radius())
+        return {};
+    return m_view.widgetPosition(place);
+}
+
 QRect SculptHand::overlayArea() const
 {
     QRect area;
     for (const QPolygonF& ring : rings())
         area |= ring.boundingRect().toAlignedRect().adjusted(-ringMargin, -ringMargin, ringMargin, ringMargin);
-    if (isStroking() && !usesFingers(*m_brush))
-        if (const std::optional<QPointF> begin =
-                m_view.widgetPosition(m_stroke->placeNow(*m_document.frame()->snapshot)))
-            area |= springArea(*begin, m_cursor);
+    if (const std::optional<QPointF> begin = springBegin())
+        area |= springArea(*begin, m_cursor);
     if (const QString text = note(); !text.isEmpty())
         area |= cursorNoteArea(text, m_cursor, m_view.rect(), m_overlay->font());
     return area;
@@ -402,10 +414,8 @@ void SculptHand::drawOverlay(QPainter& painter) const
         painter.drawPolyline(ring);
         isFirst = false;
     }
-    if (isStroking() && !usesFingers(*m_brush))
-        if (const std::optional<QPointF> begin =
-                m_view.widgetPosition(m_stroke->placeNow(*m_document.frame()->snapshot)))
-            drawSpring(painter, *begin, m_cursor, palette);
+    if (const std::optional<QPointF> begin = springBegin())
+        drawSpring(painter, *begin, m_cursor, palette);
     if (const QString text = note(); !text.isEmpty())
         drawCursorNote(painter, text, cursorNoteArea(text, m_cursor, m_view.rect(), m_overlay->font()), palette);
 }

@@ -19,7 +19,8 @@ namespace knead {
 
 /// Works the material under the cursor with a brush as long as the mouse button is held: each stroke is a row of commands, see
 /// SculptStroke, and one entry of the history. Time runs during it. A ring shows where the brush would take hold, and those across the
-/// planes of symmetry. Window thread only.
+/// planes of symmetry; during a stroke it is around the finger, with a spring to the cursor where that is ahead.
+/// Window thread only.
 class SculptHand final : public ViewHand, private OverlayDrawing {
     Q_OBJECT
 public:
@@ -70,6 +71,7 @@ private:
     QRect overlayArea() const override;
     void drawOverlay(QPainter& painter) const override;
     std::vector<QPolygonF> rings() const;
+    std::optional<QPointF> springBegin() const;
     QString note() const;
 
     HandSettings& m_settings;

@@ -11,7 +11,7 @@ namespace knead {
 
 namespace {
 
-/// The actions can be done when the choice can be made.
+/// The actions can be done when the choice can be made; else they say why not, as its tip does.
 class EnabledFollower final : public QObject {
 public:
     EnabledFollower(const QComboBox* choice, QActionGroup* entries)
@@ -19,17 +19,30 @@ public:
         , m_choice(choice)
         , m_entries(entries)
     {
+        follow();
     }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override
     {
-        if (event->type() == QEvent::EnabledChange)
-            m_entries->setEnabled(m_choice->isEnabled());
+        if (event->type() == QEvent::EnabledChange || event->type() == QEvent::DynamicPropertyChange)
+            follow();
         return QObject::eventFilter(watched, event);
     }
 
 private:
+    void follow()
+    {
+        m_entries->setEnabled(m_choice->isEnabled());
+        const QString reason = m_choice->property("whyDisabled").toString();
+        if (reason.isEmpty()) // Availability knows
+            return;
+        for (QAction* entry : m_entries->actions()) {
+            Availability::setWhyNot(*entry, reason);
+            entry->setStatusTip(m_choice->isEnabled() ? QString() : reason);
+        }
+    }
+
     const QComboBox* m_choice;
     QActionGroup* m_entries;
 };
@@ -55,7 +68,6 @@ QMenu* menuOf(QComboBox* choice, const QString& title, QWidget* window, const QS
         });
     }
     menu->addActions(entries->actions());
-    entries->setEnabled(choice->isEnabled());
     choice->installEventFilter(new EnabledFollower(choice, entries));
     const auto follow = [entries](int index) {
         if (QAction* now = index < 0 ? entries->checkedAction() : entries->actions().at(index))

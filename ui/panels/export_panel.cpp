@@ -158,13 +158,24 @@ ExportPanel::ExportPanel(QWidget* parent)
     column->setContentsMargins(8, 6, 8, 6);
     column->addWidget(m_summary);
     column->addWidget(m_parts, 1);
+    fitColumns();
 }
 
 void ExportPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && !m_reports.empty())
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    if (!m_reports.empty())
         show(std::vector<ExportReport>(m_reports));
+    fitColumns();
+}
+
+/// Titles are seen in full also while there is nothing below them.
+void ExportPanel::fitColumns()
+{
+    for (int column = 0; column < m_parts->columnCount(); ++column)
+        m_parts->resizeColumnToContents(column);
 }
 
 /// How many of the parts came back as they should.
@@ -207,8 +218,7 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
         row->setFirstColumnSpanned(true);
     }
     m_parts->expandAll();
-    for (int column = 0; column < m_parts->columnCount(); ++column)
-        m_parts->resizeColumnToContents(column);
+    fitColumns();
     const QString files = reports.size() == 1 ? QFileInfo(QFile::decodeName(reports.front().file.c_str())).fileName()
                                               : tr("%1 files").arg(reports.size());
     m_summary->setText(tr("%1: %2, %3 MB in %4 s. %5")

@@ -26,6 +26,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void fitColumns();
+
     std::vector<ExportReport> m_reports; ///< that are shown
     QLabel* m_summary;
     QTreeWidget* m_parts;

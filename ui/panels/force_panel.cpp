@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEvent>
@@ -33,9 +34,10 @@ const std::array<QColor, 7> curveColors = {QColor(0xe6, 0x7e, 0x00), QColor(0x1f
 
 } // namespace
 
-ForcePanel::ForcePanel(Document& document, QAction* exportTable, QWidget* parent)
+ForcePanel::ForcePanel(Document& document, QAction* exportTable, QAction* withStrokes, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_withStrokes(withStrokes)
     , m_plot(new PlotView(this))
     , m_component(makeChoice("forceComponent", this))
     , m_soon(new QTimer(this))
@@ -50,9 +52,12 @@ ForcePanel::ForcePanel(Document& document, QAction* exportTable, QWidget* parent
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);
+    auto* strokes = boxFor(withStrokes, this);
+    strokes->setFocusPolicy(Qt::NoFocus);
     auto* side = new QVBoxLayout;
     side->setContentsMargins(8, 6, 8, 6);
     side->addWidget(m_component);
+    side->addWidget(strokes);
     side->addWidget(button);
     side->addStretch(1);
     auto* row = new QHBoxLayout(this);
@@ -64,6 +69,7 @@ ForcePanel::ForcePanel(Document& document, QAction* exportTable, QWidget* parent
     m_soon->setInterval(pace);
     connect(m_soon, &QTimer::timeout, this, &ForcePanel::bringUpToDate);
     connect(m_component, &QComboBox::currentIndexChanged, this, [this] { plot(std::move(m_record)); });
+    connect(withStrokes, &QAction::toggled, m_soon, qOverload<>(&QTimer::start));
     connect(&document, &Document::changed, this, &ForcePanel::documentChanged);
     plot({});
 }
@@ -112,7 +118,7 @@ void ForcePanel::bringUpToDate()
 {
     QElapsedTimer clock;
     clock.start();
-    plot(forceRecordOf(m_document.timeline()));
+    plot(forceRecordOf(m_document.timeline(), m_withStrokes->isChecked()));
     m_plot->repaint(); // now: it is part of what a look takes
     m_soon->setInterval(std::max(pace, restPerLook * static_cast<int>(clock.elapsed())));
 }

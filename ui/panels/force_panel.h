@@ -18,7 +18,8 @@ class ForcePanel final : public QWidget {
     Q_OBJECT
 public:
     /// @param exportTable asks for a file; its button stands beside the plot
-    ForcePanel(Document& document, QAction* exportTable, QWidget* parent = nullptr);
+    /// @param withStrokes is on when fingers and grips of brushes are plotted, too; its box stands there as well
+    ForcePanel(Document& document, QAction* exportTable, QAction* withStrokes, QWidget* parent = nullptr);
 
     const ForceRecord& record() const { return m_record; }
 
@@ -32,6 +33,7 @@ private:
     void plot(ForceRecord record);
 
     Document& m_document;
+    QAction* m_withStrokes;
     PlotView* m_plot;
     ForceRecord m_record; ///< that is plotted
     QComboBox* m_component;

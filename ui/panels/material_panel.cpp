@@ -101,7 +101,7 @@ void MaterialPanel::makeFactRows()
     m_wallCells = add(
         "wallCells", tr("Cells across walls"),
         said(Message("MaterialPanel", "Across the thinnest wall: with fewer than %1 its bending comes out too stiff")
-                 .with(QString::number(fewestCellsAcrossWall).toStdString())));
+                 .with(numberMessage(fewestCellsAcrossWall))));
 }
 
 void MaterialPanel::makeMaterialRows()

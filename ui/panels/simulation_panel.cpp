@@ -37,9 +37,8 @@ QString speedText(double speed)
 {
     if (speed == 1)
         return SimulationPanel::tr("Real time");
-    return speed < 1
-               ? said(Message("SimulationPanel", "1/%1 of real time").with(QString::number(1 / speed).toStdString()))
-               : said(Message("SimulationPanel", "%1 times real time").with(QString::number(speed).toStdString()));
+    return speed < 1 ? said(Message("SimulationPanel", "1/%1 of real time").with(numberMessage(1 / speed)))
+                     : said(Message("SimulationPanel", "%1 times real time").with(numberMessage(speed)));
 }
 
 /// What all materials have; none where they differ.

@@ -80,7 +80,7 @@ void TimelinePanel::makeButtons()
     m_toEnd = makeButton("filmEnd", "to-end", tr("Look at the end"), tr("Look at the end"));
     m_rate = makeChoice("filmRate", this);
     for (const double rate : rates)
-        m_rate->addItem(said(Message("TimelinePanel", "%1x").with(QString::number(rate).toStdString())));
+        m_rate->addItem(said(Message("TimelinePanel", "%1x").with(numberMessage(rate))));
     m_rate->setCurrentIndex(usualRate);
     m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
     m_rate->setFocusPolicy(Qt::ClickFocus);
