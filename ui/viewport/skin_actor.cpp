@@ -17,8 +17,10 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -31,6 +33,7 @@ struct SkinActor::Parts {
     std::vector<unsigned char>
         plain;                 ///< colors without shades; empty where they tell values, which shades would falsify
     std::vector<float> shades; ///< see BodyFrame
+    std::vector<std::uint32_t> left; ///< triangles that are not drawn
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -41,14 +44,30 @@ struct SkinActor::Parts {
 
 namespace {
 
-template <class Cells>
-void fillCells(vtkCellArray* target, const Cells& cells)
+template <class Cell>
+void insertCell(vtkCellArray* target, const Cell& cell)
 {
-    for (const auto& cell : cells) {
-        target->InsertNextCell(static_cast<int>(cell.size()));
-        for (const std::uint32_t vertex : cell)
-            target->InsertCellPoint(vertex);
-    }
+    target->InsertNextCell(static_cast<int>(cell.size()));
+    for (const std::uint32_t vertex : cell)
+        target->InsertCellPoint(vertex);
+}
+
+using MeshEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices of the mesh, the lower one first
+
+/// Edges with two of some triangles beside them, ascending. @param triangles of render vertices
+std::vector<MeshEdge> edgesWithin(const RenderMesh& mesh, const std::vector<std::uint32_t>& triangles)
+{
+    std::vector<MeshEdge> all;
+    for (const std::uint32_t t : triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            all.push_back(
+                std::minmax({mesh.source[mesh.triangles[t][i]], mesh.source[mesh.triangles[t][(i + 1) % 3]]}));
+    std::ranges::sort(all);
+    std::vector<MeshEdge> within;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i] == all[i - 1])
+            within.push_back(all[i]);
+    return within;
 }
 
 unsigned char byteOf(float channel)
@@ -73,16 +92,11 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->colors->SetNumberOfTuples(count);
     m_parts->colors->Fill(200);
 
-    vtkNew<vtkCellArray> triangles;
-    fillCells(triangles, mesh.triangles);
     m_parts->faces->SetPoints(m_parts->points);
-    m_parts->faces->SetPolys(triangles);
     m_parts->faces->GetPointData()->SetNormals(m_parts->normals);
     m_parts->faces->GetPointData()->SetScalars(m_parts->colors);
-    vtkNew<vtkCellArray> lines;
-    fillCells(lines, mesh.edges);
     m_parts->edges->SetPoints(m_parts->points);
-    m_parts->edges->SetLines(lines);
+    leaveOut({});
 
     m_parts->faceMapper->SetInputData(m_parts->faces);
     m_parts->faceMapper->SetColorModeToDirectScalars();
@@ -100,6 +114,27 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     renderer->AddActor(m_parts->edgeActor);
 }
 
+/// Triangles and the edges between them. @param triangles ascending
+void SkinActor::leaveOut(const std::vector<std::uint32_t>& triangles)
+{
+    const RenderMesh& mesh = m_body->render;
+    vtkNew<vtkCellArray> faces;
+    auto left = triangles.begin();
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        if (left != triangles.end() && *left == t)
+            ++left;
+        else
+            insertCell(faces, mesh.triangles[t]);
+    const std::vector<MeshEdge> within = edgesWithin(mesh, triangles);
+    vtkNew<vtkCellArray> lines;
+    for (const auto& [from, to] : mesh.edges)
+        if (!std::ranges::binary_search(within, MeshEdge(std::minmax({mesh.source[from], mesh.source[to]}))))
+            insertCell(lines, std::array{from, to});
+    m_parts->faces->SetPolys(faces);
+    m_parts->edges->SetLines(lines);
+    m_parts->left = triangles;
+}
+
 SkinActor::~SkinActor()
 {
     m_parts->renderer->RemoveActor(m_parts->faceActor);
@@ -111,6 +146,8 @@ void SkinActor::show(const BodyFrame& frame)
     vtkDataArray* points = m_parts->points->GetData();
     std::copy(frame.points.begin(), frame.points.end(), static_cast<float*>(points->GetVoidPointer(0)));
     std::copy(frame.normals.begin(), frame.normals.end(), m_parts->normals->GetPointer(0));
+    if (m_parts->left != frame.acrossCracks)
+        leaveOut(frame.acrossCracks);
     if (m_parts->shades != frame.shades) {
         m_parts->shades = frame.shades;
         showColors();

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 class vtkPlaneCollection;
 class vtkRenderer;
@@ -37,6 +38,7 @@ public:
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
+    void leaveOut(const std::vector<std::uint32_t>& triangles);
     void showColors();
 
     struct Parts;
