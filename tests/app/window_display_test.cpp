@@ -13,7 +13,10 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 using namespace knead;
 
@@ -429,6 +432,41 @@ private slots:
         QVERIFY(!view().options().section.plane);
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
+    }
+
+    /// A step of the drag of a plane through a large part takes hardly more than one of turning the view.
+    void draggingTheSectionPlaneIsLight()
+    {
+        openExample("handle.step", 60);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QTRY_VERIFY(find<QWidget>("sectionKnob")->isVisible());
+        rest();
+        const auto middleOf = [&](const std::function<void()>& step) { // [ms], drawn
+            std::vector<double> times;
+            for (int i = 0; i < 15; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                step();
+                view().repaint();
+                times.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+                drawn();
+            }
+            std::ranges::nth_element(times, times.begin() + 7);
+            return times[7];
+        };
+        view().setLongestFull(0); // as where drawing is slow
+        const double turning = middleOf([&] {
+            Camera camera = view().camera();
+            camera.yaw += 0.01;
+            view().jumpTo(camera);
+        });
+        const double dragging = middleOf([&] {
+            SceneOptions options = view().options();
+            options.section.plane->offset += 1e-4;
+            view().setOptions(options);
+        });
+        qInfo("turning %.1f ms, dragging %.1f ms", turning, dragging);
+        QVERIFY2(dragging < 1.5 * turning, qPrintable(QString("%1 ms, turning %2 ms").arg(dragging).arg(turning)));
     }
 
     void aCutIsNoFace()
