@@ -434,6 +434,39 @@ private slots:
         QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
     }
 
+    /// Seen from below it lies before the part, and before what is drawn as through glass around that.
+    void theGridCoversGlassThatIsBehindIt()
+    {
+        openExample("bracket.step");
+        Camera camera = view().camera();
+        camera.pitch = -1;
+        view().jumpTo(camera);
+        rest();
+        const auto contrast = [&](bool hasGlass) {
+            SceneOptions options = view().options();
+            options.original = hasGlass;
+            options.edges = false;
+            options.grid = true;
+            view().setOptions(options);
+            const QImage with = shot();
+            options.grid = false;
+            view().setOptions(options);
+            const QImage without = shot();
+            // Beside the middle of the part, all of which is behind the ground.
+            const QPoint middle = view().widgetPosition(document().content().box.center())->toPoint();
+            double sum = 0;
+            for (int y = middle.y() - 60; y < middle.y() + 60; ++y)
+                for (int x = middle.x() - 60; x < middle.x() + 60; ++x)
+                    sum += std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y)));
+            return sum;
+        };
+        const double plain = contrast(false);
+        const double glass = contrast(true);
+        qInfo("contrast of the ground %.0f, before glass %.0f", plain, glass);
+        QVERIFY(plain > 0);
+        QVERIFY2(glass > 0.9 * plain, qPrintable(QString("%1 of %2").arg(glass).arg(plain)));
+    }
+
     /// A step of the drag of a plane through a large part takes hardly more than one of turning the view.
     void draggingTheSectionPlaneIsLight()
     {

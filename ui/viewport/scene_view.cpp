@@ -301,8 +301,9 @@ void SceneView::setCamera(const Camera& camera)
 {
     m_camera = camera;
     layShadow();
-    m_parts->shadow->comeLast();
-    m_parts->grid->comeLast();
+    const bool isBelow = camera.perspective ? camera.eye().z() < m_gridHeight : camera.towardsEye().z() < 0;
+    m_parts->shadow->comeLast(isBelow);
+    m_parts->grid->comeLast(isBelow);
     vtkCamera* eye = m_parts->renderer->GetActiveCamera();
     eye->SetPosition(camera.eye().data());
     eye->SetFocalPoint(camera.target.data());
