@@ -23,7 +23,8 @@ namespace {
 constexpr std::size_t mostTrianglesDrawn = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
-/// A body that is cracked or in pieces, as the window shows it: with the sides of its cracks, and nothing across open ones.
+/// A body that is cracked or in pieces, as the window shows it: with the sides of its cracks, and
+/// nothing across open ones.
 TriangleMesh crackedSurface(const PartToExport& part, TaskControl& control)
 {
     auto whole = std::make_shared<FilledBody>();

@@ -9,11 +9,12 @@
 
 namespace knead {
 
-/// Triangles of a drawn surface that do no more than span an open crack: where a crack could not be made a surface, or has grown since
-/// that was done. They are not drawn, so that the crack is seen.
+/// Triangles of a drawn surface that do no more than span an open crack: where a crack could not be made a surface, or
+/// has grown since that was done. They are not drawn, so that the crack is seen.
 ///
-/// Such a triangle has an edge that is longer than when the body was filled, by half a spacing or more and by 1.3 times as much as the
-/// connections that hold around it; and within two spacings of it a broken connection is stretched by half or more.
+/// Such a triangle has an edge that is longer than when the body was filled, by half a spacing or more and by 1.3 times
+/// as much as the connections that hold around it; and within two spacings of it a broken connection is stretched by half
+/// or more.
 /// @param body that carries the surface, with the objects of `state`
 /// @param places of its vertices [m]
 /// @return ascending; empty where nothing is broken

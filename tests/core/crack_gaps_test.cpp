@@ -1,4 +1,5 @@
-// What of a skin is drawn where material has broken: cracks are seen live, in films and where no surface could be made of them.
+// What of a skin is drawn where material has broken: cracks are seen live, in films and where no surface could be made of
+// them.
 #include "core/session/crack_gaps.h"
 
 #include "core/aggregate/pieces.h"
@@ -177,7 +178,8 @@ private slots:
         }
     }
 
-    /// Damage that has no sides, in a bar that is pulled apart there: what spans the gap is not drawn, and all else is.
+    /// Damage that has no sides, in a bar that is pulled apart there: what spans the gap is not
+    /// drawn, and all else is.
     void damageThatGapesIsAGap()
     {
         const Bar bar({});

@@ -29,8 +29,8 @@ public:
     }
 
 private:
-    /// Of its middle, along the line of sight; what has no place is the last, and so is the ground: it is here where it lies before all
-    /// else.
+    /// Of its middle, along the line of sight; what has no place is the last, and so is the ground: it is here where it
+    /// lies before all else.
     double depthOf(vtkProp& prop)
     {
         const double* box = prop.GetUseBounds() ? prop.GetBounds() : nullptr;
