@@ -1,14 +1,17 @@
 #include "app/recipe_exports.h"
 
 #include "app/export_file.h"
+#include "core/geometry/refine.h"
 #include "core/message/message.h"
+#include "core/session/frame.h"
 #include "core/skin/deformed_surface.h"
-#include "core/skin/torn_parts.h"
+#include "core/skin/former_shape.h"
 #include "io/formats/mesh_writer.h"
 #include "io/picture/picture_writer.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 namespace knead {
@@ -20,16 +23,53 @@ namespace {
 constexpr std::size_t mostTrianglesDrawn = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
-/// Bodies that have come apart as their pieces.
+/// A body that is cracked or in pieces, as the window shows it: with the sides of its cracks, and
+/// nothing across open ones.
+TriangleMesh crackedSurface(const PartToExport& part, TaskControl& control)
+{
+    auto whole = std::make_shared<FilledBody>();
+    whole->mesh = refine(part.part.mesh, part.aggregate->lattice.spacing, mostTrianglesDrawn);
+    whole->render = renderMesh(whole->mesh);
+    whole->aggregate = part.aggregate;
+    whole->skin.emplace(*part.aggregate, whole->mesh.vertices, control);
+    whole->fillings = newFillings();
+    auto snapshot = std::make_shared<Snapshot>();
+    std::vector<Vec3> positions = part.aggregate->lattice.positions();
+    std::ranges::transform(positions, part.displacements, positions.begin(), std::plus<>());
+    snapshot->bodies.push_back({.positions = std::move(positions), .aggregate = part.aggregate, .broken = part.broken});
+    const FramePointer frame = prepareFrame({whole}, std::move(snapshot), nullptr);
+    TriangleMesh mesh = frame->filled[0]->mesh;
+    mesh.vertices = frame->bodies[0]->places;
+    const std::vector<std::uint32_t>& across = frame->bodies[0]->acrossCracks;
+    std::size_t kept = 0;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (std::ranges::binary_search(across, t))
+            continue;
+        mesh.triangles[kept] = mesh.triangles[t];
+        if (!mesh.faceOfTriangle.empty())
+            mesh.faceOfTriangle[kept] = mesh.faceOfTriangle[t];
+        ++kept;
+    }
+    mesh.triangles.resize(kept);
+    if (!mesh.faceOfTriangle.empty())
+        mesh.faceOfTriangle.resize(kept);
+    return mesh;
+}
+
 std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
     std::vector<MeshBody> bodies;
-    for (PartToExport& part : withPieces(job, mostTrianglesDrawn, control).parts) {
+    for (const PartToExport& part : job.parts) {
         MeshBody& body = bodies.emplace_back(MeshBody{part.part.name, part.part.color.value_or(Color{}), {}});
         body.faceColors = faceColorsOf(part.part);
-        body.mesh = part.aggregate == nullptr ? std::move(part.part.mesh)
-                                              : deformedSurface(part.part.mesh, *part.aggregate, part.displacements,
-                                                                mostTrianglesDrawn, control);
+        if (part.aggregate == nullptr)
+            body.mesh = part.part.mesh;
+        else if ((part.broken && !part.broken->empty()) ||
+                 (part.aggregate->former && part.aggregate->former->isInPieces()))
+            body.mesh = crackedSurface(part, control);
+        else
+            body.mesh =
+                deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTrianglesDrawn, control);
     }
     return bodies;
 }

@@ -64,10 +64,11 @@ inline bool haveSameSurface(const FilledBody& one, const FilledBody& other)
 
 /// The surface of a body at one moment.
 struct BodyFrame {
-    std::vector<Vec3> places;   ///< of the vertices of FilledBody::mesh [m]
-    std::vector<float> points;  ///< x y z per render vertex [m]
-    std::vector<float> normals; ///< x y z per render vertex
-    std::vector<float> shades;  ///< per render vertex, see reliefShades(); empty: none
+    std::vector<Vec3> places;                     ///< of the vertices of FilledBody::mesh [m]
+    std::vector<float> points;                    ///< x y z per render vertex [m]
+    std::vector<float> normals;                   ///< x y z per render vertex
+    std::vector<float> shades;                    ///< per render vertex, see reliefShades(); empty: none
+    std::vector<std::uint32_t> acrossCracks = {}; ///< triangles that are not drawn, see trianglesAcrossCracks()
 
     Vec3 point(std::uint32_t vertex) const ///< of a render vertex [m]
     {

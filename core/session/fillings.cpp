@@ -2,6 +2,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/mass_properties.h"
 #include "core/session/filled_model.h"
+#include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/torn_surface.h"
 
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <iterator>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -85,6 +87,27 @@ std::vector<BrokenConnection> brokenWithin(const Aggregate& aggregate, const Pie
     return within;
 }
 
+constexpr std::size_t leastSeenBroken = 12; // connections of a crack that is seen: less than across one cell are none
+
+/// A body whose cracks could not be made surfaces: its skin is carried along connections that hold, so that what spans a crack is one
+/// row of triangles (trianglesAcrossCracks()).
+std::shared_ptr<const FilledBody> alongWhatHolds(const std::shared_ptr<const FilledBody>& whole,
+                                                 std::span<const BrokenConnection> broken)
+{
+    const Aggregate& aggregate = *whole->aggregate;
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    std::vector<ObjectIndex> all(aggregate.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const std::vector<ObjectIndex> carriers[] = {firmOf(aggregate, all, isBroken)};
+    const std::span<const Vec3> places = whole->skin->points();
+    const Skin skins[] = {
+        Skin::ofPlacesWhenFilled(extract(aggregate, carriers[0], isBroken), {places.begin(), places.end()})};
+    auto body = std::make_shared<FilledBody>(*whole);
+    body->skin.emplace(Skin::joined(skins, carriers));
+    body->whole = whole;
+    return body;
+}
+
 } // namespace
 
 std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
@@ -147,6 +170,8 @@ std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>
             body->skin.emplace(std::move(surface->skin));
             body->whole = whole;
             torn->body = std::move(body);
+        } else if (pieces.count > findPieces(*aggregate).count || torn->within.size() >= leastSeenBroken) {
+            torn->body = alongWhatHolds(whole, cracks);
         }
         torn->end = std::chrono::steady_clock::now();
         torn->duration = torn->end - begin;

@@ -1,6 +1,7 @@
 #include "core/session/frame.h"
 
 #include "core/session/contact_shade.h"
+#include "core/session/crack_gaps.h"
 #include "core/session/relief.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ std::shared_ptr<const BodyFrame> bodyFrame(const FilledBody& body, const Snapsho
     auto frame = std::make_shared<BodyFrame>();
     frame->places.resize(body.mesh.vertices.size());
     body.skin->evaluate(state.displacements(), frame->places);
+    frame->acrossCracks = trianglesAcrossCracks(body, state, frame->places);
     frame->points = renderPoints(body.render, frame->places);
     frame->normals = renderNormals(body.render, frame->points);
     frame->shades = reliefShades(body.render, frame->points, frame->normals);

@@ -3,6 +3,7 @@
 #include "core/skin/former_shape.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace knead {
@@ -209,6 +210,31 @@ void PlaybackCache::thin()
     }
 }
 
+namespace {
+
+using BrokenPointer = std::shared_ptr<const std::vector<BrokenConnection>>;
+
+/// What is broken between two frames: a crack that one of them has opens from nothing, or closes.
+BrokenPointer brokenBetween(const BrokenPointer& before, const BrokenPointer& after)
+{
+    if (before == after || !before || before->empty())
+        return after;
+    if (!after || after->empty())
+        return before;
+    std::set<ConnectionId> known(after->begin(), after->end());
+    std::vector<BrokenConnection> healed;
+    for (const BrokenConnection& one : *before)
+        if (!known.contains(one))
+            healed.push_back(one);
+    if (healed.empty())
+        return after;
+    auto both = std::make_shared<std::vector<BrokenConnection>>(*after);
+    both->insert(both->end(), healed.begin(), healed.end());
+    return both;
+}
+
+} // namespace
+
 PlaybackFrame between(const PlaybackFrame& before, const PlaybackFrame& after, double share)
 {
     PlaybackFrame frame = before;
@@ -219,6 +245,8 @@ PlaybackFrame between(const PlaybackFrame& before, const PlaybackFrame& after, d
     for (std::size_t b = 0; b < frame.objects.size(); ++b)
         for (std::size_t i = 0; i < frame.objects[b].size(); ++i)
             frame.objects[b][i] += part * (after.objects[b][i] - before.objects[b][i]);
+    for (std::size_t b = 0; share > 0 && b < std::min(before.broken.size(), after.broken.size()); ++b)
+        frame.broken[b] = brokenBetween(before.broken[b], after.broken[b]);
     for (std::size_t t = 0; t < std::min(before.tools.size(), after.tools.size()); ++t) {
         if (before.tools[t].id != after.tools[t].id)
             break;

@@ -91,7 +91,8 @@ private:
     std::size_t m_used = 0;
 };
 
-/// Between two frames of one run, 0 <= share <= 1, in straight lines; where a body was filled anew in between, the first one.
+/// Between two frames of one run, 0 <= share <= 1, in straight lines; where a body was filled anew in between, the first one. What
+/// breaks in between is broken, so that no skin spans a gap that opens.
 PlaybackFrame between(const PlaybackFrame& before, const PlaybackFrame& after, double share);
 
 /// A frame of the film as the view draws it. Its snapshot has places, tools, floor, what was broken, and what

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 using namespace knead;
@@ -578,6 +579,74 @@ private slots:
         QVERIFY(!view().options().section.plane);
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
+    }
+
+    /// Seen from below it lies before the part, and before what is drawn as through glass around that.
+    void theGridCoversGlassThatIsBehindIt()
+    {
+        openExample("bracket.step");
+        Camera camera = view().camera();
+        camera.pitch = -1;
+        view().jumpTo(camera);
+        rest();
+        const auto contrast = [&](bool hasGlass) {
+            SceneOptions options = view().options();
+            options.original = hasGlass;
+            options.edges = false;
+            options.grid = true;
+            view().setOptions(options);
+            const QImage with = shot();
+            options.grid = false;
+            view().setOptions(options);
+            const QImage without = shot();
+            // Beside the middle of the part, all of which is behind the ground.
+            const QPoint middle = view().widgetPosition(document().content().box.center())->toPoint();
+            double sum = 0;
+            for (int y = middle.y() - 60; y < middle.y() + 60; ++y)
+                for (int x = middle.x() - 60; x < middle.x() + 60; ++x)
+                    sum += std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y)));
+            return sum;
+        };
+        const double plain = contrast(false);
+        const double glass = contrast(true);
+        qInfo("contrast of the ground %.0f, before glass %.0f", plain, glass);
+        QVERIFY(plain > 0);
+        QVERIFY2(glass > 0.9 * plain, qPrintable(QString("%1 of %2").arg(glass).arg(plain)));
+    }
+
+    /// A step of the drag of a plane through a large part takes hardly more than one of turning the view.
+    void draggingTheSectionPlaneIsLight()
+    {
+        openExample("handle.step", 60);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QTRY_VERIFY(find<QWidget>("sectionKnob")->isVisible());
+        rest();
+        const auto middleOf = [&](const std::function<void()>& step) { // [ms], drawn
+            std::vector<double> times;
+            for (int i = 0; i < 15; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                step();
+                view().repaint();
+                times.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+                drawn();
+            }
+            std::ranges::nth_element(times, times.begin() + 7);
+            return times[7];
+        };
+        view().setLongestFull(0); // as where drawing is slow
+        const double turning = middleOf([&] {
+            Camera camera = view().camera();
+            camera.yaw += 0.01;
+            view().jumpTo(camera);
+        });
+        const double dragging = middleOf([&] {
+            SceneOptions options = view().options();
+            options.section.plane->offset += 1e-4;
+            view().setOptions(options);
+        });
+        qInfo("turning %.1f ms, dragging %.1f ms", turning, dragging);
+        QVERIFY2(dragging < 1.5 * turning, qPrintable(QString("%1 ms, turning %2 ms").arg(dragging).arg(turning)));
     }
 
     void aCutIsNoFace()

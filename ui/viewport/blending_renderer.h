@@ -29,10 +29,11 @@ public:
     }
 
 private:
-    /// Of its middle, along the line of sight; what has no place is the last.
+    /// Of its middle, along the line of sight; what has no place is the last, and so is the ground: it is here where it
+    /// lies before all else.
     double depthOf(vtkProp& prop)
     {
-        const double* box = prop.GetBounds();
+        const double* box = prop.GetUseBounds() ? prop.GetBounds() : nullptr;
         if (box == nullptr || !vtkMath::AreBoundsInitialized(box))
             return std::numeric_limits<double>::lowest();
         const double middle[] = {(box[0] + box[1]) / 2, (box[2] + box[3]) / 2, (box[4] + box[5]) / 2};

@@ -108,8 +108,10 @@ void GridActor::setVisible(bool visible)
     m_parts->actor->SetVisibility(visible);
 }
 
-void GridActor::comeLast()
+void GridActor::comeLast(bool isInFront)
 {
+    m_parts->actor->SetForceOpaque(!isInFront);
+    m_parts->actor->SetForceTranslucent(isInFront);
     if (m_parts->renderer->GetViewProps()->GetLastProp() == m_parts->actor)
         return;
     m_parts->renderer->RemoveActor(m_parts->actor);

@@ -20,7 +20,8 @@ public:
     void lay(const Box& box, double height, const Color& color);
     void setVisible(bool visible);
     /// Before each drawing: it is blended with what was drawn before it, so it comes after all that one cannot see through.
-    void comeLast();
+    /// @param isInFront seen from below: glass is behind it, too, and drawn before
+    void comeLast(bool isInFront);
 
 private:
     struct Parts;

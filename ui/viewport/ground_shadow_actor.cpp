@@ -104,8 +104,10 @@ void GroundShadowActor::setVisible(bool visible)
     m_parts->actor->SetVisibility(visible);
 }
 
-void GroundShadowActor::comeLast()
+void GroundShadowActor::comeLast(bool isInFront)
 {
+    m_parts->actor->SetForceOpaque(!isInFront);
+    m_parts->actor->SetForceTranslucent(isInFront);
     m_parts->renderer->RemoveActor(m_parts->actor);
     m_parts->renderer->AddActor(m_parts->actor);
 }

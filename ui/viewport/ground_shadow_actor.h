@@ -20,7 +20,8 @@ public:
     void lay(const GroundShadow& shadow, double height);
     void setVisible(bool visible);
     /// Before each drawing, see GridActor.
-    void comeLast();
+    /// @param isInFront seen from below: glass is behind it, too, and drawn before
+    void comeLast(bool isInFront);
 
 private:
     struct Parts;

@@ -72,6 +72,7 @@ void SceneView::setModel(const FilledModel& content)
     m_surfaces = content.surfaces;
     m_restBox = content.box;
     m_frame = nullptr;
+    m_hasOptions = false;
     m_marks = {};
     m_fields = nullptr;
     m_scale.reset();
@@ -165,8 +166,15 @@ void SceneView::setStyle(const SceneStyle& style)
         showTools();
 }
 
+/// While a plane is dragged, many times a second, only what is cut is shown anew: laying grid and shadow, which took most of such
+/// a step, and all that is drawn in it stay.
 void SceneView::setOptions(const SceneOptions& options)
 {
+    if (std::exchange(m_hasOptions, true) && isOnlyCutElsewhere(m_options, options)) {
+        m_options = options;
+        m_parts->fields->setCut(options);
+        return;
+    }
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
     const bool otherParts = options.hiddenParts != m_options.hiddenParts;
     const bool isShadedAnew = options.shading != m_options.shading;
@@ -295,8 +303,9 @@ void SceneView::setCamera(const Camera& camera)
 {
     m_camera = camera;
     layShadow();
-    m_parts->shadow->comeLast();
-    m_parts->grid->comeLast();
+    const bool isBelow = camera.perspective ? camera.eye().z() < m_gridHeight : camera.towardsEye().z() < 0;
+    m_parts->shadow->comeLast(isBelow);
+    m_parts->grid->comeLast(isBelow);
     vtkCamera* eye = m_parts->renderer->GetActiveCamera();
     eye->SetPosition(camera.eye().data());
     eye->SetFocalPoint(camera.target.data());
@@ -326,6 +335,17 @@ void SceneView::clipToScene()
     // A parallel view has nothing behind the eye to protect.
     const double nearest = m_camera.perspective ? std::max(depth - radius, 0.01 * m_camera.distance) : depth - radius;
     m_parts->renderer->GetActiveCamera()->SetClippingRange(nearest, depth + radius);
+}
+
+bool isOnlyCutElsewhere(const SceneOptions& before, const SceneOptions& after)
+{
+    if (before.section.plane.has_value() != after.section.plane.has_value() ||
+        before.divider.has_value() != after.divider.has_value())
+        return false;
+    SceneOptions moved = before;
+    moved.section.plane = after.section.plane;
+    moved.divider = after.divider;
+    return before != after && moved == after;
 }
 
 SurfaceFieldsRequest requestOf(const SceneOptions& options)

@@ -53,7 +53,12 @@ struct SceneOptions {
     bool openEdges = true;
     bool forces = true;                ///< arrows and numbers on tools
     std::set<std::size_t> hiddenParts; ///< by index into Model::parts
+
+    friend bool operator==(const SceneOptions&, const SceneOptions&) = default;
 };
+
+/// Whether no more than the section plane or the divider has moved.
+bool isOnlyCutElsewhere(const SceneOptions& before, const SceneOptions& after);
 
 /// What is set apart by color.
 struct SceneMarks {
@@ -154,6 +159,7 @@ private:
     FramePointer m_frame;
     SceneStyle m_style;
     SceneOptions m_options;
+    bool m_hasOptions = false; ///< what m_options say was shown of this model
     SceneMarks m_marks;
     SurfaceFieldsPointer m_fields;
     std::optional<ColorScale> m_scale;

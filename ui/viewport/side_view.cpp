@@ -51,7 +51,7 @@ void SideView::note(SceneChange what)
     m_changes |= bitOf(what);
     if (what == SceneChange::content && !isVisible())
         m_scene->setModel({}); // what nobody sees keeps nothing of a part that is gone
-    m_hasMoved = m_hasMoved || what == SceneChange::frame;
+    m_hasMoved = m_hasMoved || what == SceneChange::frame || what == SceneChange::options;
     m_isStale = true;
     emit becameStale();
 }

@@ -19,9 +19,11 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -37,8 +39,10 @@ struct SkinActor::Parts {
     std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
     Shading shading = Shading::usual;
     std::optional<EdgeSight> sight; ///< once it was asked for
-    std::vector<bool> seenEdges;    ///< that are drawn; at first all
+    std::vector<bool> seenEdges;    ///< that do not lie behind the body; at first all
     vtkSmartPointer<vtkPlaneCollection> clipping;
+    std::vector<std::uint32_t> left; ///< triangles that are not drawn
+    std::vector<bool> leftEdges;     ///< those between them
     vtkNew<vtkPolyData> faces;
     vtkNew<vtkPolyData> edges;
     vtkNew<vtkPolyDataMapper> faceMapper;
@@ -49,14 +53,30 @@ struct SkinActor::Parts {
 
 namespace {
 
-template <class Cells>
-void fillCells(vtkCellArray* target, const Cells& cells)
+template <class Cell>
+void insertCell(vtkCellArray* target, const Cell& cell)
 {
-    for (const auto& cell : cells) {
-        target->InsertNextCell(static_cast<int>(cell.size()));
-        for (const std::uint32_t vertex : cell)
-            target->InsertCellPoint(vertex);
-    }
+    target->InsertNextCell(static_cast<int>(cell.size()));
+    for (const std::uint32_t vertex : cell)
+        target->InsertCellPoint(vertex);
+}
+
+using MeshEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices of the mesh, the lower one first
+
+/// Edges with two of some triangles beside them, ascending. @param triangles of render vertices
+std::vector<MeshEdge> edgesWithin(const RenderMesh& mesh, const std::vector<std::uint32_t>& triangles)
+{
+    std::vector<MeshEdge> all;
+    for (const std::uint32_t t : triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            all.push_back(
+                std::minmax({mesh.source[mesh.triangles[t][i]], mesh.source[mesh.triangles[t][(i + 1) % 3]]}));
+    std::ranges::sort(all);
+    std::vector<MeshEdge> within;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i] == all[i - 1])
+            within.push_back(all[i]);
+    return within;
 }
 
 unsigned char byteOf(float channel)
@@ -81,14 +101,12 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     m_parts->colors->SetNumberOfTuples(count);
     m_parts->colors->Fill(200);
 
-    vtkNew<vtkCellArray> triangles;
-    fillCells(triangles, mesh.triangles);
     m_parts->faces->SetPoints(m_parts->points);
-    m_parts->faces->SetPolys(triangles);
     m_parts->faces->GetPointData()->SetNormals(m_parts->normals);
     m_parts->faces->GetPointData()->SetScalars(m_parts->colors);
     m_parts->edges->SetPoints(m_parts->points);
-    drawEdges(std::vector<bool>(mesh.edges.size(), true));
+    m_parts->seenEdges.assign(mesh.edges.size(), true);
+    leaveOut({});
 
     m_parts->faceMapper->SetInputData(m_parts->faces);
     m_parts->faceMapper->SetColorModeToDirectScalars();
@@ -106,6 +124,27 @@ SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* render
     renderer->AddActor(m_parts->edgeActor);
 }
 
+/// Triangles and the edges between them. @param triangles ascending
+void SkinActor::leaveOut(const std::vector<std::uint32_t>& triangles)
+{
+    const RenderMesh& mesh = m_body->render;
+    vtkNew<vtkCellArray> faces;
+    auto left = triangles.begin();
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        if (left != triangles.end() && *left == t)
+            ++left;
+        else
+            insertCell(faces, mesh.triangles[t]);
+    const std::vector<MeshEdge> within = edgesWithin(mesh, triangles);
+    m_parts->leftEdges.clear();
+    for (const auto& [from, to] : mesh.edges)
+        m_parts->leftEdges.push_back(
+            std::ranges::binary_search(within, MeshEdge(std::minmax({mesh.source[from], mesh.source[to]}))));
+    m_parts->faces->SetPolys(faces);
+    m_parts->left = triangles;
+    layEdges();
+}
+
 SkinActor::~SkinActor()
 {
     m_parts->renderer->RemoveActor(m_parts->faceActor);
@@ -117,6 +156,8 @@ void SkinActor::show(const BodyFrame& frame)
     vtkDataArray* points = m_parts->points->GetData();
     std::copy(frame.points.begin(), frame.points.end(), static_cast<float*>(points->GetVoidPointer(0)));
     std::copy(frame.normals.begin(), frame.normals.end(), m_parts->normals->GetPointer(0));
+    if (m_parts->left != frame.acrossCracks)
+        leaveOut(frame.acrossCracks);
     if (m_parts->shades != frame.shades) {
         m_parts->shades = frame.shades;
         showColors();
@@ -160,13 +201,16 @@ void SkinActor::drawEdges(const std::vector<bool>& isSeen)
     if (isSeen == m_parts->seenEdges)
         return;
     m_parts->seenEdges = isSeen;
+    layEdges();
+}
+
+void SkinActor::layEdges()
+{
+    const auto& all = m_body->render.edges;
     vtkNew<vtkCellArray> lines;
-    for (std::size_t e = 0; e < isSeen.size(); ++e)
-        if (isSeen[e]) {
-            lines->InsertNextCell(2);
-            for (const std::uint32_t vertex : m_body->render.edges[e])
-                lines->InsertCellPoint(vertex);
-        }
+    for (std::size_t e = 0; e < all.size(); ++e)
+        if (m_parts->seenEdges[e] && !m_parts->leftEdges[e])
+            insertCell(lines, all[e]);
     m_parts->edges->SetLines(lines);
     m_parts->edges->Modified();
 }

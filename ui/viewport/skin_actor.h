@@ -44,8 +44,10 @@ public:
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
+    void leaveOut(const std::vector<std::uint32_t>& triangles);
     void showColors();
     void drawEdges(const std::vector<bool>& isSeen);
+    void layEdges();
 
     struct Parts;
     std::shared_ptr<const FilledBody> m_body;

@@ -157,6 +157,14 @@ void SurfaceFieldActors::setOptions(const SceneOptions& options)
     showCaps();
 }
 
+void SurfaceFieldActors::setCut(const SceneOptions& options)
+{
+    m_options.section = options.section;
+    m_options.divider = options.divider;
+    clip();
+    showCaps();
+}
+
 void SurfaceFieldActors::setSurfaceFields(const SurfaceFieldsPointer& fields)
 {
     m_fields = fields;

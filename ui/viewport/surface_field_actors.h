@@ -26,6 +26,8 @@ public:
     void setStyle(const SceneStyle& style);
     void setAppearance(const PartAppearance& looks);
     void setOptions(const SceneOptions& options);
+    /// Where no more than the section plane or the divider has moved: cheap.
+    void setCut(const SceneOptions& options);
     void setSurfaceFields(const SurfaceFieldsPointer& fields);
     /// @param aspect of the view, width by height
     void setCamera(const Camera& camera, double aspect);

@@ -71,6 +71,7 @@ ViewportWidget::~ViewportWidget() = default;
 
 void ViewportWidget::setOptions(const SceneOptions& options)
 {
+    const bool isDragged = isOnlyCutElsewhere(m_options, options);
     m_options = options;
     m_manipulation->picker().hide(options.hiddenParts);
     m_manipulation->picker().cut(options.section.plane);
@@ -78,7 +79,10 @@ void ViewportWidget::setOptions(const SceneOptions& options)
     m_regions->fields().cut(options.section.plane);
     m_scene->setOptions(options);
     askForSurfaceFields();
-    requestRender();
+    if (isDragged)
+        requestSketch();
+    else
+        requestRender();
     emit sceneChanged(SceneChange::options);
     emit optionsChanged();
 }
