@@ -27,11 +27,13 @@
 #include "ui/theme.h"
 #include "ui/viewport/view_grid.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QProcess>
 #include <QScreen>
@@ -439,6 +441,17 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         paths << url.toLocalFile();
     m_features->imports->openInstead(paths);
+}
+
+/// Enter presses the button that has the keyboard: Space, which does so elsewhere, starts and stops time.
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && button != nullptr && button->isEnabled() && !event->isAutoRepeat())
+        button->animateClick();
+    else
+        QMainWindow::keyPressEvent(event);
 }
 
 /// First what is not saved is asked about, and then the window closes by itself.
