@@ -1,5 +1,6 @@
 #include "ui/panels/home_page.h"
 
+#include "ui/commands/listed_actions.h"
 #include "ui/language/retranslation.h"
 #include "ui/panels/picture_card.h"
 #include "ui/project/thumbnails.h"
@@ -179,6 +180,7 @@ void HomePage::fillExamples(QMenu& menu)
         QAction* action = menu.addAction(name);
         action->setObjectName("example-" + file.fileName());
         action->setToolTip(file.fileName());
+        action->setProperty(opensFile, true);
         connect(
             action, &QAction::triggered, this, [this, path = file.absoluteFilePath()] { emit fileChosen(path); },
             Qt::QueuedConnection);

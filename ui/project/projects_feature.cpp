@@ -2,6 +2,7 @@
 
 #include "core/session/filled_model.h"
 #include "ui/commands/availability.h"
+#include "ui/commands/listed_actions.h"
 #include "ui/commands/make_action.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
@@ -112,6 +113,7 @@ void ProjectsFeature::listRecent()
     for (const QString& path : paths) {
         QAction* action = m_recent.addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
+        action->setProperty(opensFile, true);
         connect(
             action, &QAction::triggered, this, [this, path] { openRecent(path); }, Qt::QueuedConnection);
     }
