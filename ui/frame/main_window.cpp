@@ -324,10 +324,14 @@ void MainWindow::documentChanged(Document::Change what)
 
 void MainWindow::modelChanged()
 {
+    m_actions->firstPage->setChecked(false);
+    if (m_document.history().isEmpty()) {
+        showNothing();
+        return;
+    }
     const FilledModel& content = m_document.content();
     const bool isSimulated = !content.bodies.empty();
     m_center->showViews();
-    m_actions->firstPage->setChecked(false);
     m_features->views->showArrangement();
     m_modes->leave();
     m_features->simulation->showSurroundings();
@@ -338,6 +342,19 @@ void MainWindow::modelChanged()
     m_features->imports->tellOfModel();
     m_features->simulation->showWalls(content.fineness);
     m_features->imports->showImport();
+}
+
+/// As before anything was opened.
+void MainWindow::showNothing()
+{
+    m_modes->leave();
+    m_features->simulation->showSurroundings();
+    m_features->simulation->showFrame();
+    m_features->imports->showNothing();
+    m_status->readings().hide();
+    m_center->showHome();
+    m_center->home().setFocus();
+    showHint();
 }
 
 void MainWindow::selectionChanged()

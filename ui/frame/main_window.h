@@ -80,6 +80,7 @@ private:
 
     void documentChanged(Document::Change what);
     void modelChanged();
+    void showNothing();
     void selectionChanged();
     QString hint() const;
     void openAnother();

@@ -109,6 +109,7 @@ QWidget* HomePage::makeZone()
     open->setProperty("role", "primary");
     open->setMinimumHeight(34);
     connect(open, &QPushButton::clicked, this, &HomePage::openClicked);
+    setFocusProxy(open);
     auto* words = new QVBoxLayout;
     words->setSpacing(4);
     words->addStretch();
