@@ -7,9 +7,7 @@
 #include "ui/run_window.h"
 
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QTreeWidget>
 
 #include <limits>
 #include <map>
@@ -337,66 +335,7 @@ private slots:
         endStory();
     }
 
-    /// What was done is asked about; then all is as before the first part was opened, and the next one opens as usual.
-    void aPartIsClosed()
-    {
-        beginStory("close");
-        QVERIFY(!action("closePart")->isEnabled());
-        openByHand(example("bar.step"));
-        key(Qt::Key_W, Qt::ControlModifier); // nothing was done
-        QTRY_VERIFY(document().isEmpty());
-        verifyFirstPage();
-        stage("closed");
-        openByHand(example("lump.step"));
-        key(Qt::Key_B);
-        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        play();
-        hold(Qt::Key_PageDown, [&, end = snapshot().time + 0.1] { return snapshot().time > end; });
-        key(Qt::Key_W, Qt::ControlModifier); // while time runs
-        answer("saveQuestion", QMessageBox::Cancel);
-        QVERIFY(!document().isEmpty());
-        stage("kept");
-        key(Qt::Key_W, Qt::ControlModifier);
-        answer("saveQuestion", QMessageBox::Discard);
-        QTRY_VERIFY(document().isEmpty());
-        verifyFirstPage();
-        stage("discarded");
-        openByHand(example("bar.step"));
-        QVERIFY(snapshot().tools.empty() && !snapshot().playing);
-        QCOMPARE(document().history().tree().records().size(), std::size_t{1});
-        key(Qt::Key_B);
-        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        key(Qt::Key_W, Qt::ControlModifier);
-        answerFileDialog(file("bar.knead"));
-        QTRY_VERIFY(find<QMessageBox>("saveQuestion") != nullptr);
-        QTest::keyClick(find<QMessageBox>("saveQuestion"), Qt::Key_Return); // save, and close then
-        QTRY_VERIFY_WITH_TIMEOUT(document().isEmpty(), patience);
-        verifyFirstPage();
-        QVERIFY(QFile::exists(file("bar.knead")));
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        openByHand(file("bar.knead"));
-        QCOMPARE(snapshot().tools.size(), std::size_t{1});
-        QVERIFY(!projects().isModified());
-        endStory();
-    }
-
 private:
-    /// Nothing is open.
-    void verifyFirstPage()
-    {
-        QVERIFY(find<QWidget>("homePage")->isVisible());
-        QVERIFY(!view().isVisible());
-        QCOMPARE(m_window->windowTitle(), QString("Knead"));
-        QVERIFY(!m_window->isWindowModified());
-        QCOMPARE(find<QTreeWidget>("modelTree")->topLevelItemCount(), 0);
-        QTRY_COMPARE(find<QTreeWidget>("historyTree")->topLevelItemCount(), 0);
-        for (const char* name : {"save", "play", "undo", "firstPage", "closePart", "addPart", "export"})
-            QVERIFY2(!action(name)->isEnabled(), name);
-        QVERIFY(action("open")->isEnabled());
-        QVERIFY(!m_window->tasks().isRunning());
-    }
-
     Box boxOfBody(std::size_t body)
     {
         Box box;
