@@ -112,11 +112,13 @@ struct Ranked {
     QList<qsizetype> hits;
 };
 
-/// By its text; by menu and text together, it counts less. What can be done comes before what cannot.
+/// By its text; by menu and text together, it counts less. What can be done comes before what cannot, and a tool or a command before
+/// a file that is called like it: "plate" is the tool for the part that is open, not the example in place of it.
 std::optional<Ranked> rank(const ListedAction& one, const QString& wanted, qsizetype lastDone)
 {
     constexpr int ownText = 20;
     constexpr int doneLately = 12;
+    constexpr int ofFile = -4;
     std::optional<FuzzyMatch> match = fuzzyMatch(wanted, one.text);
     const bool isOwn = match.has_value();
     if (!match)
@@ -125,7 +127,9 @@ std::optional<Ranked> rank(const ListedAction& one, const QString& wanted, qsize
         return std::nullopt;
     const int lately = lastDone < 0 ? 0 : std::max(1, doneLately - static_cast<int>(lastDone));
     const int able = one.action->isEnabled() ? ownText : 0;
-    return Ranked{&one, match->score + lately + able + (isOwn ? ownText : 0), isOwn ? match->hits : QList<qsizetype>{}};
+    const int file = one.action->property(opensFile).toBool() ? ofFile : 0;
+    return Ranked{&one, match->score + lately + able + file + (isOwn ? ownText : 0),
+                  isOwn ? match->hits : QList<qsizetype>{}};
 }
 
 } // namespace

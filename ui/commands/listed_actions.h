@@ -17,6 +17,9 @@ struct ListedAction {
     QString menu;             ///< that it is in: "File › Open recent"; empty: in none
 };
 
+/// A property of actions that open a file, and are called as that is.
+inline constexpr const char* opensFile = "opensFile";
+
 /// "E&xport..." becomes "Export".
 QString plainText(const QString& actionText);
 

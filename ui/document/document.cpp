@@ -143,6 +143,39 @@ void Document::open(PreparedProject prepared)
     showStart();
 }
 
+/// What is left is a model without parts, which lies where the last one did: views need a place to look at.
+void Document::close()
+{
+    if (isEmpty())
+        return;
+    emit stopping();
+    retire();
+    m_timer->stop();
+    m_ending->stop();
+    m_selected->forget();
+    auto nothing = std::make_shared<FilledModel>();
+    nothing->model = std::make_shared<const Model>();
+    nothing->box = m_content->box;
+    m_content = std::move(nothing);
+    m_frame = std::make_shared<const Frame>(Frame{.snapshot = std::make_shared<const Snapshot>()});
+    m_seen = nullptr;
+    ++m_generation;
+    ++m_edits;
+    m_isPlaying = m_hasScript = false;
+    m_scriptEnds = m_fixtureRequest = m_editRequest = m_arrivals = 0;
+    m_whenKnown.clear();
+    m_whenSettled.clear();
+    m_toolRequests.forget();
+    m_gesture = {};
+    forgetGoing();
+    m_playback.forget();
+    m_fixtures.clear();
+    m_notes->remember({});
+    m_appearance = {};
+    m_history.end();
+    showStart();
+}
+
 Project Document::project() const
 {
     Project project;

@@ -69,7 +69,7 @@ public:
 
     bool isEmpty() const { return m_content->isEmpty(); }
     const FilledModel& content() const { return *m_content; }
-    /// The newest frame; null while empty.
+    /// The newest frame; null before anything was opened, and without bodies and tools after it was closed.
     const FramePointer& frame() const { return m_frame; }
     const Selection& selection() const { return m_selection; }
     const FaceFixtures& fixtures() const { return m_fixtures; }
@@ -81,6 +81,9 @@ public:
     /// Shows a project at its current entry.
     /// @throws Problem when its entries do not form a tree; nothing has changed
     void open(PreparedProject prepared);
+
+    /// Nothing is open any more; what was done is gone.
+    void close();
 
     /// All that a project file keeps but marks, view and the panels of others. What is under way is not in it: call it from
     /// whenSettled().

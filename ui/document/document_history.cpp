@@ -119,6 +119,14 @@ void DocumentHistory::begin(std::vector<Start> starts, std::vector<HistoryRecord
     emit changed();
 }
 
+void DocumentHistory::end()
+{
+    forget();
+    m_tree.reset();
+    ++m_revision;
+    emit changed();
+}
+
 DocumentHistory::Ticket DocumentHistory::nextTicket(const Message& words)
 {
     return {m_document, m_nextTicket++, words, {}, m_packing};

@@ -42,6 +42,9 @@ public:
     /// One that was saved. @throws Problem when entries do not form a tree; nothing has changed
     void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
 
+    /// Nothing is open any more.
+    void end();
+
     bool isEmpty() const { return !m_tree; }
     std::uint64_t documentNumber() const
     {

@@ -27,11 +27,13 @@
 #include "ui/theme.h"
 #include "ui/viewport/view_grid.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QProcess>
 #include <QScreen>
@@ -322,10 +324,14 @@ void MainWindow::documentChanged(Document::Change what)
 
 void MainWindow::modelChanged()
 {
+    m_actions->firstPage->setChecked(false);
+    if (m_document.history().isEmpty()) {
+        showNothing();
+        return;
+    }
     const FilledModel& content = m_document.content();
     const bool isSimulated = !content.bodies.empty();
     m_center->showViews();
-    m_actions->firstPage->setChecked(false);
     m_features->views->showArrangement();
     m_modes->leave();
     m_features->simulation->showSurroundings();
@@ -336,6 +342,19 @@ void MainWindow::modelChanged()
     m_features->imports->tellOfModel();
     m_features->simulation->showWalls(content.fineness);
     m_features->imports->showImport();
+}
+
+/// As before anything was opened.
+void MainWindow::showNothing()
+{
+    m_modes->leave();
+    m_features->simulation->showSurroundings();
+    m_features->simulation->showFrame();
+    m_features->imports->showNothing();
+    m_status->readings().hide();
+    m_center->showHome();
+    m_center->home().setFocus();
+    showHint();
 }
 
 void MainWindow::selectionChanged()
@@ -439,6 +458,17 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         paths << url.toLocalFile();
     m_features->imports->openInstead(paths);
+}
+
+/// Enter presses the button that has the keyboard: Space, which does so elsewhere, starts and stops time.
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && button != nullptr && button->isEnabled() && !event->isAutoRepeat())
+        button->animateClick();
+    else
+        QMainWindow::keyPressEvent(event);
 }
 
 /// First what is not saved is asked about, and then the window closes by itself.

@@ -67,6 +67,7 @@ protected:
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void makePanels();
@@ -79,6 +80,7 @@ private:
 
     void documentChanged(Document::Change what);
     void modelChanged();
+    void showNothing();
     void selectionChanged();
     QString hint() const;
     void openAnother();

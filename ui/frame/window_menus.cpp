@@ -57,7 +57,7 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     file->addActions({a.newWindow, in.open, in.openWithChoices});
     file->addMenu(&f.projects->recentMenu());
     file->addMenu(&f.projects->examplesMenu());
-    file->addActions({in.addPart, a.firstPage});
+    file->addActions({in.addPart, a.firstPage, f.projects->actions().close});
     file->addSeparator();
     file->addActions({f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(),
                       f.pictures->action(), f.recipes->exportAction()});

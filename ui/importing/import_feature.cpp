@@ -283,6 +283,11 @@ void ImportFeature::showImport()
     }
 }
 
+void ImportFeature::showNothing()
+{
+    m_panel->clear();
+}
+
 /// The same model, changed and filled by another request.
 void ImportFeature::openAgain(const QString& title, std::function<Model(const Model&)> change,
                               const ImportChoices& request)

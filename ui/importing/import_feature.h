@@ -52,6 +52,7 @@ public:
     void tellOfModel(); ///< in the log
     /// The report, and what matters most of it in the banner: once, not with work that was done in spite of it.
     void showImport();
+    void showNothing(); ///< the part was closed
 
 private:
     void askForParts();

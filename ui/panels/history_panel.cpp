@@ -229,8 +229,13 @@ void HistoryPanel::changeEvent(QEvent* event)
 
 void HistoryPanel::bringUpToDate()
 {
-    if (m_document.history().isEmpty())
+    if (m_document.history().isEmpty()) {
+        m_tree->clear();
+        m_items.clear();
+        m_edited.clear();
+        m_used->clear();
         return;
+    }
     if (m_tree->findChild<QLineEdit*>() != nullptr) { // a name is being typed
         m_soon->start();
         return;

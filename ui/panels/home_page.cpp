@@ -1,5 +1,6 @@
 #include "ui/panels/home_page.h"
 
+#include "ui/commands/listed_actions.h"
 #include "ui/language/retranslation.h"
 #include "ui/panels/picture_card.h"
 #include "ui/project/thumbnails.h"
@@ -108,6 +109,7 @@ QWidget* HomePage::makeZone()
     open->setProperty("role", "primary");
     open->setMinimumHeight(34);
     connect(open, &QPushButton::clicked, this, &HomePage::openClicked);
+    setFocusProxy(open);
     auto* words = new QVBoxLayout;
     words->setSpacing(4);
     words->addStretch();
@@ -179,6 +181,7 @@ void HomePage::fillExamples(QMenu& menu)
         QAction* action = menu.addAction(name);
         action->setObjectName("example-" + file.fileName());
         action->setToolTip(file.fileName());
+        action->setProperty(opensFile, true);
         connect(
             action, &QAction::triggered, this, [this, path = file.absoluteFilePath()] { emit fileChosen(path); },
             Qt::QueuedConnection);

@@ -71,6 +71,15 @@ void ImportPanel::changeEvent(QEvent* event)
         show(FilledModel(*m_content));
 }
 
+void ImportPanel::clear()
+{
+    m_content.reset();
+    m_hasRemarks = false;
+    m_summary->clear();
+    m_remarks->clear();
+    setEnabled(false);
+}
+
 void ImportPanel::show(const FilledModel& content)
 {
     m_content = content;

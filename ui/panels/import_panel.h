@@ -19,6 +19,7 @@ public:
     explicit ImportPanel(QWidget* parent = nullptr);
 
     void show(const FilledModel& content);
+    void clear(); ///< nothing is open
     /// Whether there is more to say than that all went well.
     bool hasRemarks() const { return m_hasRemarks; }
 

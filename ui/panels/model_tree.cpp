@@ -56,6 +56,8 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
 
 void ModelTree::documentChanged(Document::Change what)
 {
+    if (m_document.history().isEmpty() && what != Document::Change::Model) // there are no lines
+        return;
     {
         const QScopedValueRollback updating(m_isUpdating, true);
         switch (what) {

@@ -84,6 +84,9 @@ void ModelTree::build()
 {
     clear();
     m_listedTools.clear();
+    m_tools = m_fixtures = m_sets = m_exports = nullptr;
+    if (m_document.history().isEmpty()) // it was closed
+        return;
     const Model& model = *m_document.content().model;
     auto* root = makeHeading(QFileInfo(QString::fromStdString(model.file)).fileName(), "assembly", TreeItem::File);
     root->setFlags(Qt::ItemIsEnabled | Qt::ItemIsDropEnabled);

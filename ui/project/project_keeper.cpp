@@ -188,6 +188,8 @@ void ProjectKeeper::lookAfterGesture()
 
 ProjectKeeper::Place ProjectKeeper::place() const
 {
+    if (m_window.document.history().isEmpty())
+        return {m_documents, 0, 0};
     const History& tree = m_window.document.history().tree();
     return {m_documents, tree.current(), tree.records().size()};
 }

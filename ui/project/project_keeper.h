@@ -75,6 +75,9 @@ public:
     /// @param then called unless the person cancels
     void letGo(std::function<void()> then);
 
+    /// Nothing is open any more, and nothing of it is to be recovered: see letGo().
+    void closeProject();
+
     /// The window closes, and nothing is to be recovered.
     void close();
 

@@ -16,6 +16,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QTimer>
 
 #include <chrono>
@@ -274,6 +275,24 @@ void ProjectKeeper::afterSaving(const std::function<void()>& then)
         m_saving->then = both(std::move(m_saving->then), [this, then] { afterSaving(then); });
     else
         then();
+}
+
+void ProjectKeeper::closeProject()
+{
+    m_autosave.discard();
+    {
+        const QScopedValueRollback changing(m_isChanging, true);
+        m_window.document.close();
+    }
+    ++m_documents;
+    m_isNew = m_wasModified = false;
+    m_saving.reset();
+    m_savedRevision.reset();
+    m_path.clear();
+    m_lock.reset();
+    m_marks.clear();
+    m_panels.clear();
+    emit changed();
 }
 
 void ProjectKeeper::close()

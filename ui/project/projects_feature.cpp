@@ -2,6 +2,7 @@
 
 #include "core/session/filled_model.h"
 #include "ui/commands/availability.h"
+#include "ui/commands/listed_actions.h"
 #include "ui/commands/make_action.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
@@ -39,6 +40,9 @@ ProjectsFeature::Actions::Actions(QWidget& window)
                                  QT_TRANSLATE_NOOP("Actions", "Keep the project in another file and go on with that")}))
     , recover(makeAction(window, {"recover", QT_TRANSLATE_NOOP("Actions", "Recover &unsaved work..."), nullptr, "",
                                   QT_TRANSLATE_NOOP("Actions", "Look for work that was not saved when Knead ended")}))
+    , close(makeAction(window, {"closePart", QT_TRANSLATE_NOOP("Actions", "&Close"), nullptr, "Ctrl+W",
+                                QT_TRANSLATE_NOOP("Actions", "Back to the first page with nothing open; what is not "
+                                                             "saved is asked about")}))
 {
 }
 
@@ -74,11 +78,23 @@ ProjectsFeature::ProjectsFeature(const Workbench& bench, ModelTree& tree, HomePa
     connect(m_actions.recover, &QAction::triggered, this, [this] { m_keeper->offerRecoveries(true); });
     connect(&home, &HomePage::recoverClicked, this, [this] { m_keeper->offerRecoveries(true); });
     connect(&home, &HomePage::fileChosen, this, &ProjectsFeature::openRecent);
-    bench.availability.needPart({m_actions.save, m_actions.saveAs});
+    connect(m_actions.close, &QAction::triggered, this, [this] {
+        if (!m_bench.isBusy())
+            m_keeper->letGo([this] { closePart(); });
+    });
+    bench.availability.needPart({m_actions.save, m_actions.saveAs, m_actions.close});
     listRecent();
 }
 
 ProjectsFeature::~ProjectsFeature() = default;
+
+void ProjectsFeature::closePart()
+{
+    const QString name = m_keeper->name();
+    m_bench.notices.hide();
+    m_keeper->closeProject();
+    m_bench.notices.note(tr("Closed %1.").arg(name));
+}
 
 void ProjectsFeature::addRecent(const QString& path)
 {
@@ -112,6 +128,7 @@ void ProjectsFeature::listRecent()
     for (const QString& path : paths) {
         QAction* action = m_recent.addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
+        action->setProperty(opensFile, true);
         connect(
             action, &QAction::triggered, this, [this, path] { openRecent(path); }, Qt::QueuedConnection);
     }

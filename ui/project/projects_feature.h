@@ -29,6 +29,7 @@ public:
         QAction* save;
         QAction* saveAs;
         QAction* recover;
+        QAction* close;
     };
 
     /// @param perspective is switched as it is in a project
@@ -59,6 +60,7 @@ signals:
     void fileChosen(const QString& path);
 
 private:
+    void closePart();
     void openRecent(const QString& path);
     void keepPicture(const QString& path);
 
