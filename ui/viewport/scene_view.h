@@ -52,6 +52,7 @@ struct SceneOptions {
     bool grid = true;
     bool openEdges = true;
     bool forces = true;                ///< arrows and numbers on tools
+    bool warnings = true;              ///< marks where material folds, gets thin or is about to break
     std::set<std::size_t> hiddenParts; ///< by index into Model::parts
 };
 
