@@ -71,6 +71,7 @@ protected:
 private:
     void makePanels();
     void makeFeatures();
+    void showPlacesOfReports();
     void makeMenus();
     void makeCommands();
     void connectActions();

@@ -3,6 +3,7 @@
 #include "core/model/file_preview.h"
 #include "core/session/filled_model.h"
 #include "ui/frame/workbench.h"
+#include "ui/panels/place_rows.h"
 
 #include <QObject>
 
@@ -52,6 +53,9 @@ public:
     void tellOfModel(); ///< in the log
     /// The report, and what matters most of it in the banner: once, not with work that was done in spite of it.
     void showImport();
+
+signals:
+    void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
 
 private:
     void askForParts();

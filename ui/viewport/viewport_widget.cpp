@@ -391,6 +391,15 @@ void ViewportWidget::fit()
     turnTo(camera);
 }
 
+void ViewportWidget::flyTo(const Box& box, const std::optional<Vec3>& from)
+{
+    Camera camera = cameraAfterTurning();
+    if (from)
+        camera.lookFrom(*from);
+    camera.fit(box, window(), taken());
+    turnTo(camera);
+}
+
 void ViewportWidget::keepFree(const QObject* what, const Insets& taken)
 {
     m_taken[what] = taken;
