@@ -110,7 +110,7 @@ protected:
     }
 
     /// Where "Show me" is in a row of a report; it is its last column.
-    static QPoint showMeOf(const QTreeWidget& tree, const QTreeWidgetItem& row)
+    static QPoint showMeOf(const QTreeWidget& tree, QTreeWidgetItem& row)
     {
         return tree.visualRect(tree.model()->index(tree.indexOfTopLevelItem(&row), tree.columnCount() - 1)).center();
     }
