@@ -119,12 +119,13 @@ void WarningWatch::addFolds(std::vector<PlaceWarning>& all) const
 void WarningWatch::addFound(const OfBody& one, const Frame& now, std::vector<PlaceWarning>& all) const
 {
     const FilledBody& body = *now.filled[one.body];
-    if (one.wall && haveSameSurface(body, *m_frame->filled[one.body]))
+    const bool isFolded = std::ranges::find(m_folds.folds(), one.body, &Fold::body) != m_folds.folds().end();
+    if (one.wall && !isFolded && haveSameSurface(body, *m_frame->filled[one.body]))
         all.push_back({PlaceWarning::Kind::thinWall, one.body,
                        middleOfTriangle(body, *now.bodies[one.body], one.wall->triangle),
                        tr("Wall %1, was %2")
-                           .arg(formatQuantity(one.wall->thickness, Quantity::Length),
-                                formatQuantity(one.wall->atRest, Quantity::Length))});
+                           .arg(formatReading(one.wall->thickness, Quantity::Length),
+                                formatReading(one.wall->atRest, Quantity::Length))});
     const Snapshot::BodyState& state = now.snapshot->bodies[one.body];
     if (one.stretch && state.aggregate == m_frame->snapshot->bodies[one.body].aggregate)
         all.push_back({PlaceWarning::Kind::stretch, one.body, state.positions[one.stretch->object],

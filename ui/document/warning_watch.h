@@ -24,7 +24,8 @@ struct PlaceWarning {
 
 /// Knows where bodies are folded over themselves, which of their walls became thinnest, and where they are about to break; see
 /// foldsOf(), WallChange and mostOverstretched(). One of each kind per body, none for what is fine. Walls are not looked at in
-/// bodies that came apart: cracks are no walls. Window thread.
+/// bodies that came apart, since cracks are no walls, and not told of folded ones, where a surface that crosses itself has no
+/// thickness. Window thread.
 class WarningWatch final : public QObject {
     Q_OBJECT
 public:
