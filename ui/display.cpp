@@ -107,11 +107,17 @@ void Display::makeEdges()
                               QT_TRANSLATE_NOOP("Actions", "Show where surfaces that are not closed end")},
                              true);
     m_grid = makeSwitch(window, {"grid", QT_TRANSLATE_NOOP("Actions", "Grid")}, true);
+    m_warnings = makeSwitch(
+        window,
+        {"warnings", QT_TRANSLATE_NOOP("Actions", "Warnings in the view"), nullptr, "",
+         QT_TRANSLATE_NOOP("Actions", "Mark where the part is folded over itself, got thin or is about to break")},
+        true);
 }
 
 void Display::connectActions()
 {
-    m_shown = {m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_edges, m_openEdges, m_grid};
+    m_shown = {m_skin,   m_objects, m_allObjects, m_connections, m_original,
+               m_breaks, m_edges,   m_openEdges,  m_grid,        m_warnings};
     for (QAction* action : m_shown)
         connect(action, &QAction::toggled, this, &Display::apply);
     for (QAction* action : {m_objects, m_connections})
@@ -214,8 +220,8 @@ void Display::sayWhyNot()
 {
     Availability& when = m_bench.availability;
     when.needPart(QList{m_edges, m_openEdges, m_grid} + m_shadings->actions());
-    when.needBodies(QList{m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_section, m_flip,
-                          m_compare, m_hatched} +
+    when.needBodies(QList{m_skin, m_objects, m_allObjects, m_connections, m_original, m_breaks, m_warnings, m_section,
+                          m_flip, m_compare, m_hatched} +
                     m_colors->actions() + m_axes->actions());
     const auto needQuantity = [this]() -> std::optional<QString> {
         if (view().options().colors.quantity)
@@ -310,6 +316,7 @@ void Display::apply()
     options.edges = m_edges->isChecked();
     options.openEdges = m_openEdges->isChecked();
     options.grid = m_grid->isChecked();
+    options.warnings = m_warnings->isChecked();
     const ObjectDisplay which = m_allObjects->isChecked() ? ObjectDisplay::All : ObjectDisplay::Surface;
     options.objects = m_objects->isChecked() ? which : ObjectDisplay::Off;
     m_bench.viewport.setOptions(options);

@@ -25,7 +25,10 @@ public:
 
     QMenu* menu() const { return m_menu; }
     /// For the menu of the view.
-    QList<QAction*> edgesAndObjects() const { return {m_edges, m_openEdges, m_grid, m_objects, m_allObjects}; }
+    QList<QAction*> edgesAndObjects() const
+    {
+        return {m_edges, m_openEdges, m_grid, m_warnings, m_objects, m_allObjects};
+    }
     const QList<QAction*>& shown() const { return m_shown; } ///< that switch something on or off, in order
     QAction* section() const { return m_section; }
     QAction* flip() const { return m_flip; }
@@ -96,6 +99,7 @@ private:
     QAction* m_edges = nullptr;
     QAction* m_openEdges = nullptr;
     QAction* m_grid = nullptr;
+    QAction* m_warnings = nullptr;
     QAction* m_section = nullptr;
     QAction* m_flip = nullptr;
     QAction* m_compare = nullptr;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/geometry/vec3.h"
 #include "core/message/message.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,7 @@ struct PartExportReport {
     std::size_t smoothEdges = 0; ///< at which faces met without a kink, as imported, and that could be compared
     double largestKink = 0;      ///< between the normals of two faces at those now [rad]
     bool crossesItself = false;  ///< the surface passes through itself although it did not at rest
+    std::optional<Vec3> fold;    ///< near where it does, or where its material is folded over itself [m]
     int keptFaces = 0;           ///< exactly where and what they were
 
     // Of faces that are made of flat triangles among smooth ones.

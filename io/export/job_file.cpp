@@ -95,33 +95,37 @@ const std::map<PartExportReport::Form, std::string>& formNames()
 
 Json toJson(const PartExportReport& part)
 {
-    return {{"name", part.name},
-            {"form", formNames().at(part.form)},
-            {"reason", toJson(part.reason)},
-            {"remarks", toJson(part.remarks)},
-            {"sound", part.isSound()},
-            {"solids", {{"before", part.solidsBefore}, {"after", part.solidsAfter}}},
-            {"faces", {{"before", part.facesBefore}, {"after", part.facesAfter}, {"kept", part.keptFaces}}},
-            {"edges", {{"before", part.edgesBefore}, {"after", part.edgesAfter}}},
-            {"volume_m3", {{"rest", part.restVolume}, {"skin", part.skinVolume}, {"file", part.volume}}},
-            {"density_kg_per_m3", part.density},
-            {"von_mises_stress", {{"largest_pa", part.largestStress}, {"error_share", part.stressErrorShare}}},
-            {"valid", part.valid},
-            {"was_closed", part.wasClosed},
-            {"closed", part.closed},
-            {"free_edges", part.freeEdges},
-            {"largest_tolerance_m", part.maxTolerance},
-            {"deviation_m",
-             {{"allowed", part.tolerance},
-              {"largest", part.largestDeviation},
-              {"mean", part.meanDeviation},
-              {"samples", part.samples}}},
-            {"smooth_edges", {{"count", part.smoothEdges}, {"largest_kink_rad", part.largestKink}}},
-            {"crosses_itself", part.crossesItself},
-            {"flat_faces",
-             {{"count", part.flatFaces}, {"allowed_m", part.flatTolerance}, {"largest_m", part.largestFlatDeviation}}},
-            {"name_kept", part.nameKept},
-            {"colors_kept", part.colorsKept}};
+    Json json{
+        {"name", part.name},
+        {"form", formNames().at(part.form)},
+        {"reason", toJson(part.reason)},
+        {"remarks", toJson(part.remarks)},
+        {"sound", part.isSound()},
+        {"solids", {{"before", part.solidsBefore}, {"after", part.solidsAfter}}},
+        {"faces", {{"before", part.facesBefore}, {"after", part.facesAfter}, {"kept", part.keptFaces}}},
+        {"edges", {{"before", part.edgesBefore}, {"after", part.edgesAfter}}},
+        {"volume_m3", {{"rest", part.restVolume}, {"skin", part.skinVolume}, {"file", part.volume}}},
+        {"density_kg_per_m3", part.density},
+        {"von_mises_stress", {{"largest_pa", part.largestStress}, {"error_share", part.stressErrorShare}}},
+        {"valid", part.valid},
+        {"was_closed", part.wasClosed},
+        {"closed", part.closed},
+        {"free_edges", part.freeEdges},
+        {"largest_tolerance_m", part.maxTolerance},
+        {"deviation_m",
+         {{"allowed", part.tolerance},
+          {"largest", part.largestDeviation},
+          {"mean", part.meanDeviation},
+          {"samples", part.samples}}},
+        {"smooth_edges", {{"count", part.smoothEdges}, {"largest_kink_rad", part.largestKink}}},
+        {"crosses_itself", part.crossesItself},
+        {"flat_faces",
+         {{"count", part.flatFaces}, {"allowed_m", part.flatTolerance}, {"largest_m", part.largestFlatDeviation}}},
+        {"name_kept", part.nameKept},
+        {"colors_kept", part.colorsKept}};
+    if (part.fold)
+        json["fold_near_m"] = {part.fold->x(), part.fold->y(), part.fold->z()};
+    return json;
 }
 
 PartExportReport partFrom(const Json& json)
@@ -163,6 +167,8 @@ PartExportReport partFrom(const Json& json)
     part.largestFlatDeviation = json.at("flat_faces").at("largest_m").get<double>();
     part.nameKept = json.at("name_kept").get<bool>();
     part.colorsKept = json.at("colors_kept").get<bool>();
+    if (const auto fold = json.find("fold_near_m"); fold != json.end())
+        part.fold = Vec3(fold->at(0).get<double>(), fold->at(1).get<double>(), fold->at(2).get<double>());
     return part;
 }
 
@@ -232,7 +238,8 @@ std::string jobToBytes(const ExportJob& job)
                          {"hasObjects", part.aggregate != nullptr},
                          {"formers", stagesOf(part.aggregate.get())}});
     }
-    blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    blocks.add(std::string_view(
+        Json{{"options", toJson(job.options)}, {"parts", parts}}.dump(-1, ' ', false, Json::error_handler_t::replace)));
     blocks.add(std::string_view(modelToBytes(model)));
     for (const PartToExport& part : job.parts) {
         if (part.cut) {

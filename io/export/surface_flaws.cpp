@@ -205,6 +205,7 @@ void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2
         found.where = real->where;
     }
     report.crossesItself = true;
+    report.fold = found.where.center();
     report.remarks.push_back(
         Message("Export", "its surface passes through itself near %1; other programs may refuse that.")
             .with(placeWords(found.where.center())));
@@ -215,6 +216,7 @@ void noteFold(const TriangleMesh& rest, const TriangleMesh& now, PartExportRepor
     const std::optional<Vec3> fold = foldOf(rest, now);
     if (!fold)
         return;
+    report.fold = *fold;
     const Message folded = Message("Export", "its material is folded over itself near %1").with(placeWords(*fold));
     if (report.form == PartExportReport::Form::faceted)
         report.reason = Message::verbatim("%1; %2").with(folded, report.reason);

@@ -1,6 +1,7 @@
 #include "io/importer.h"
 #include "support/window_on_test.h"
 #include "ui/dialogs/export_dialog.h"
+#include "ui/measuring/marks_overlay.h"
 #include "ui/run_window.h"
 
 #include <QCheckBox>
@@ -71,6 +72,40 @@ private slots:
                 ++parts;
             }
         QCOMPARE(parts, 2);
+    }
+
+    /// The rows of the report bring one to their parts.
+    void partsOfTheReportAreShown()
+    {
+        openExample("bracket.step", 10);
+        const QTemporaryDir folder;
+        write(folder.filePath("out.stl"), {});
+        auto* rows = find<QTreeWidget>("exportedParts");
+        auto* shown = find<MarksOverlay>("shownPlace");
+        const auto& bodies = document().content().bodies;
+        for (int i = 0; i < 2; ++i) {
+            QTreeWidgetItem* row = rows->topLevelItem(i);
+            const auto body = std::ranges::find(bodies, row->text(0).toStdString(), &FilledBody::name);
+            QVERIFY2(body != bodies.end(), qPrintable(row->text(0)));
+            Box box;
+            for (const Vec3& place : (*body)->mesh.vertices)
+                box.extend(place);
+            Camera elsewhere;
+            elsewhere.target = Vec3(1, 1, 1);
+            m_window->viewport().jumpTo(elsewhere);
+            if (i == 0) {
+                rows->scrollToItem(row);
+                QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, showMeOf(*rows, *row));
+            } else {
+                rows->setCurrentItem(row);
+                QTest::keyClick(rows, Qt::Key_Return);
+            }
+            QVERIFY2(looksAt(box.center()), qPrintable(row->text(0)));
+            QVERIFY(shown->isVisible());
+            QCOMPARE(document().selection().kind, Selection::Kind::Body);
+            QCOMPARE(document().content().bodies[document().selection().id], *body);
+        }
+        picture("export-shown");
     }
 
     /// Two bars opened together: their files have numbers.

@@ -8,6 +8,7 @@
 #include "ui/interaction/press_hand.h"
 #include "ui/interaction/sculpt_hand.h"
 #include "ui/measuring/fold_marks.h"
+#include "ui/measuring/marks_overlay.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
@@ -679,10 +680,54 @@ private slots:
         for (const Vec3& place : places)
             QVERIFY(box.exteriorDistance(place) < 0.5 * box.sizes().x());
         QTRY_VERIFY(find<QWidget>("foldMarks")->isVisible() && !marks->places().empty());
+        auto* words = find<MarksOverlay>("warningMarks");
+        QTRY_VERIFY(words->isVisible());
+        QCOMPARE(words->marks().front().text, QString("Fold"));
+        for (const OverlayMark& mark : words->marks()) // what crosses itself has no thickness
+            QVERIFY2(!mark.text.startsWith("Wall"), qPrintable(mark.text));
+        QVERIFY(std::ranges::find(places, words->marks().front().mark.points.front()) != places.end());
         pictures("folded");
+        action("warnings")->trigger();
+        QTRY_VERIFY(!words->isVisible() && !find<QWidget>("foldMarks")->isVisible());
+        action("warnings")->trigger();
+        QTRY_VERIFY(words->isVisible() && find<QWidget>("foldMarks")->isVisible());
         key(Qt::Key_R, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(folds->folds().empty() && marks->places().empty(), patience);
         QVERIFY(!find<QWidget>("foldMarks")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!words->isVisible(), patience);
+    }
+
+    /// A bar is pulled until it tears; nothing is marked while it is fine, and again when that is undone.
+    void placesThatAreAboutToBreakAreMarked()
+    {
+        openBar();
+        Material material = snapshot().materials[0];
+        material.yieldStress = material.elongationAtBreak = 0;
+        material.tensileStrength = 0.2 * material.youngsModulus;
+        document().post(SetMaterial{0, material});
+        const Box box = document().content().box;
+        const auto end = [&](double from, double to) {
+            Box part = box;
+            part.min().x() = box.min().x() + from * box.sizes().x();
+            part.max().x() = box.min().x() + to * box.sizes().x();
+            return objectsInBox(*document().content().bodies[0]->aggregate, part);
+        };
+        document().post(AddFixture{{"held", 0, end(-0.1, 0.1)}});
+        GripTurn none;
+        document().post(AddFixture{{"pulled", 0, end(0.9, 1.1), Vec3(0.2 * box.sizes().x(), 0, 0), none}});
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{2});
+        auto* words = find<MarksOverlay>("warningMarks");
+        QVERIFY(!words->isVisible());
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(words->isVisible() || snapshot().broken > 0, patience);
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(words->isVisible(), patience);
+        QVERIFY2(words->marks().front().text.startsWith("Stretched to "), qPrintable(words->marks().front().text));
+        QVERIFY(words->marks().front().text.endsWith(" % of breaking"));
+        pictures("overstretched");
+        key(Qt::Key_R, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!words->isVisible(), patience);
     }
 
     void stiffnessOfThePullIsTyped()

@@ -1,6 +1,7 @@
 #include "support/window_on_test.h"
 #include "support/window_watchdog.h"
 #include "ui/dialogs/import_dialog.h"
+#include "ui/measuring/marks_overlay.h"
 #include "ui/panels/model_tree_delegate.h"
 #include "ui/run_window.h"
 
@@ -196,6 +197,33 @@ private slots:
         const QImage seen = m_window->viewport().grabFramebuffer();
         QVERIFY(seen.pixelColor(5, 5).lightness() > 200); // the light ground above the part
         QVERIFY(seen.pixelColor(seen.rect().center()).lightness() < 200);
+
+        // Where it ends is shown, by the mouse and by keys.
+        const Vec3 opening(0.025, 0.025, 0.05);
+        auto* remarks = find<QTextBrowser>("importRemarks");
+        auto* shown = find<MarksOverlay>("shownPlace");
+        for (const bool byKeys : {false, true}) {
+            m_window->viewport().jumpTo(Camera());
+            QVERIFY(!looksAt(opening));
+            QVERIFY(!shown->isVisible());
+            if (byKeys) {
+                remarks->setFocus();
+                QTest::keyClick(remarks, Qt::Key_Tab);
+                QTest::keyClick(remarks, Qt::Key_Return);
+            } else {
+                QTextCursor link = remarks->document()->find("Show me");
+                QVERIFY(!link.isNull());
+                link.setPosition(link.position() - 2); // in its midst, and nothing is selected
+                remarks->setTextCursor(link);
+                remarks->ensureCursorVisible();
+                QTest::mouseClick(remarks->viewport(), Qt::LeftButton, {}, remarks->cursorRect(link).center());
+            }
+            QVERIFY2(shown->isVisible(), byKeys ? "by keys" : "by the mouse");
+            QVERIFY(looksAt(opening));
+            picture("shown-opening");
+            QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, QPoint(20, m_window->viewport().height() / 2));
+            QVERIFY(!shown->isVisible());
+        }
 
         // Its opening is flat, so a person may have it closed.
         QVERIFY(find<QPushButton>("fillOpen")->isVisible());

@@ -190,6 +190,9 @@ private slots:
         QVERIFY(value(4) < last().readings[4].rest - 0.3 * sagging);
         action("measureMass")->trigger();
         QVERIFY(!m_window->measuring().tool().isPicking());
+        auto* rows = find<QTreeWidget>("measurements");
+        QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, showMeOf(*rows, *rows->topLevelItem(0)));
+        QVERIFY(looksAt(m_window->measuring().panel().results()[0].mark.points.front()));
         picture("measure-sag");
 
         // Reset: everything is as it was.
@@ -218,6 +221,25 @@ private slots:
         compare(bar.largestDistance, std::abs(moved.z()), 0.02); // the tip is below the end of the original
         // Top and bottom are 0.4 of it away in the mean; the other sides slide within their planes.
         QVERIFY(bar.meanDistance > 0.1 * bar.largestDistance);
+        // The view flies to where it is farthest, by the mouse and by keys.
+        auto* shown = find<MarksOverlay>("shownPlace");
+        for (const bool byKeys : {false, true}) {
+            Camera elsewhere;
+            elsewhere.target = Vec3(1, 1, 1);
+            m_window->viewport().jumpTo(elsewhere);
+            QVERIFY(!looksAt(bar.farthest));
+            QTreeWidgetItem* row = table->topLevelItem(0);
+            if (byKeys) {
+                table->setCurrentItem(row);
+                QTest::keyClick(table, Qt::Key_Return);
+            } else {
+                QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, showMeOf(*table, *row));
+            }
+            QVERIFY2(looksAt(bar.farthest), byKeys ? "by keys" : "by the mouse");
+            QVERIFY(shown->isVisible());
+            QCOMPARE(shown->marks().front().mark.points.front(), bar.farthest);
+        }
+        picture("compare-shown");
         find<QDialog>("comparisonDialog")->activateWindow(); // there may be no window manager that does it
         QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
         QTest::keyClick(find<QDialog>("comparisonDialog"), Qt::Key_Escape);

@@ -15,11 +15,13 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QLineF>
 #include <QPainter>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QVariantAnimation>
 #include <QtTest>
 
@@ -27,6 +29,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +96,24 @@ protected:
 
     /// Left-clicks the view where a place is seen.
     void click(const Vec3& place);
+
+    /// Whether a place is in the middle of what is free of the view, once that has come to rest.
+    bool looksAt(const Vec3& place)
+    {
+        rest();
+        const ViewportWidget& view = m_window->viewport();
+        const std::optional<QPointF> seen = view.widgetPosition(place);
+        const Insets taken = view.taken();
+        const QPointF middle((view.width() + taken.left - taken.right) / 2,
+                             (view.height() + taken.top - taken.bottom) / 2);
+        return seen && QLineF(*seen, middle).length() < 0.1 * view.height();
+    }
+
+    /// Where "Show me" is in a row of a report; it is its last column.
+    static QPoint showMeOf(const QTreeWidget& tree, QTreeWidgetItem& row)
+    {
+        return tree.visualRect(tree.model()->index(tree.indexOfTopLevelItem(&row), tree.columnCount() - 1)).center();
+    }
 
     /// A picture for people, when they ask for it.
     void picture(const char* name);

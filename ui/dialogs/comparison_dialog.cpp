@@ -58,8 +58,14 @@ ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent
                             tr("Volume at rest"), tr("Volume now"), tr("Change"), tr("Mass")});
     for (int column = 1; column < table->columnCount(); ++column) // over their numbers
         table->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    for (const BodyComparison& body : comparison.bodies)
-        table->addTopLevelItem(rowOf(body));
+    auto* places = new PlaceRows(*table);
+    connect(places, &PlaceRows::wanted, this, &ComparisonDialog::placeWanted);
+    for (const BodyComparison& body : comparison.bodies) {
+        QTreeWidgetItem* row = rowOf(body);
+        table->addTopLevelItem(row);
+        if (body.largestDistance > 0)
+            places->set(*row, ReportPlace::at(body.farthest));
+    }
     for (int column = 0; column < table->columnCount(); ++column)
         table->resizeColumnToContents(column);
     table->setAllColumnsShowFocus(true);

@@ -2,10 +2,11 @@
 
 #include "core/session/comparison.h"
 #include "ui/dialogs/modeless_dialog.h"
+#include "ui/panels/place_rows.h"
 
 namespace knead {
 
-/// Shows how far bodies are from their original shape, and offers a report. Does not block the window behind it.
+/// Shows how far bodies are from their original shape and where, and offers a report. Does not block the window behind it.
 class ComparisonDialog final : public ModelessDialog {
     Q_OBJECT
 public:
@@ -13,6 +14,7 @@ public:
 
 signals:
     void reportWanted();
+    void placeWanted(const knead::ReportPlace& place); ///< where a part is farthest from what it was
 };
 
 } // namespace knead

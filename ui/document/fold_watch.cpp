@@ -4,10 +4,6 @@
 #include "ui/language/said.h"
 #include "ui/units.h"
 
-#include <QTimer>
-
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -17,10 +13,6 @@ namespace knead {
 
 namespace {
 
-constexpr int lowPriority = 15;     // of the thread that looks, as nice has it
-constexpr int stillness = 300;      // after the last frame, when time stands still [ms]
-constexpr int interval = 1000;      // between looks while time runs, at least [ms]
-constexpr qint64 rarity = 20;       // and as many times what a look took
 constexpr std::size_t most = 1000;  // crossing pairs that are looked at
 constexpr double leastDepth = 0.05; // of a fold; less is roughness where surfaces touch or are bent sharply [spacings]
 
@@ -126,57 +118,22 @@ std::vector<Fold> foldsOf(const Frame& frame)
 FoldWatch::FoldWatch(Document& document, QObject* parent)
     : QObject(parent)
     , m_document(document)
-    , m_timer(new QTimer(this))
+    , m_look(
+          document,
+          [this](const FramePointer& frame, TaskControl&) -> BackgroundLook::Finish {
+              return [this, frame, folds = foldsOf(*frame)] { take(frame, folds); };
+          },
+          this)
 {
-    m_timer->setSingleShot(true);
-    m_clock.start();
-    // On Linux of the calling thread alone: whatever a person waits for goes first.
-    m_worker.run([] { setpriority(PRIO_PROCESS, 0, lowPriority); });
-    connect(m_timer, &QTimer::timeout, this, &FoldWatch::look);
-    connect(&document, &Document::changed, this, &FoldWatch::documentChanged);
-}
-
-void FoldWatch::documentChanged(Document::Change what)
-{
-    if (what == Document::Change::Model) {
-        m_seen = m_found = nullptr;
+    connect(&m_look, &BackgroundLook::forgotten, this, [this] {
+        m_found = nullptr;
         if (!std::exchange(m_folds, {}).empty())
             emit changed();
-    }
-    if (what != Document::Change::Frame && what != Document::Change::Moment)
-        return;
-    const qint64 wait =
-        m_document.isPlaying() ? std::max<qint64>(interval, rarity * m_lookTime) - m_clock.elapsed() : stillness;
-    if (!m_document.isPlaying() || !m_timer->isActive())
-        m_timer->start(static_cast<int>(std::max<qint64>(wait, 0)));
-}
-
-void FoldWatch::look()
-{
-    const FramePointer frame = m_document.frame();
-    if (m_isLooking || m_document.isEmpty() || !frame || (m_seen && frame->bodies == m_seen->bodies))
-        return;
-    m_isLooking = true;
-    m_seen = frame;
-    m_worker.run([this, frame] {
-        QElapsedTimer clock;
-        clock.start();
-        std::vector<Fold> folds = foldsOf(*frame);
-        QMetaObject::invokeMethod(this, [this, frame, folds = std::move(folds), time = clock.elapsed()]() mutable {
-            m_isLooking = false;
-            m_lookTime = time;
-            m_clock.restart();
-            take(frame, std::move(folds));
-        });
     });
 }
 
 void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
 {
-    if (m_document.frame() != frame && !m_document.isPlaying()) // it went on meanwhile
-        m_timer->start(stillness);
-    if (m_seen != frame) // another content by now
-        return;
     m_found = frame;
     const std::vector<Fold> before = std::exchange(m_folds, std::move(folds));
     for (const Fold& fold : m_folds)

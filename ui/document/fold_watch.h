@@ -1,15 +1,11 @@
 #pragma once
 
-#include "core/task/ordered_worker.h"
-#include "ui/document/document.h"
+#include "ui/document/background_look.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 
 #include <cstdint>
 #include <vector>
-
-class QTimer;
 
 namespace knead {
 
@@ -24,8 +20,7 @@ struct Fold {
 /// alone; O(n lg n), twice for a body that is folded.
 std::vector<Fold> foldsOf(const Frame& frame);
 
-/// Looks for folds while a person works, on a thread of its own: once a second or more seldom while time runs, and once when it
-/// stands still. Says each one when it comes.
+/// Looks for folds while a person works, see BackgroundLook. Says each one when it comes.
 class FoldWatch final : public QObject {
     Q_OBJECT
 public:
@@ -40,19 +35,12 @@ signals:
     void said(const QString& sentence);
 
 private:
-    void documentChanged(Document::Change what);
-    void look();
     void take(const FramePointer& frame, std::vector<Fold> folds);
 
     Document& m_document;
-    QTimer* m_timer;
-    QElapsedTimer m_clock;
-    FramePointer m_seen;  ///< the last that was looked at, or is
     FramePointer m_found; ///< that `m_folds` are of
-    bool m_isLooking = false;
-    qint64 m_lookTime = 0; ///< that the last look took [ms]
     std::vector<Fold> m_folds;
-    OrderedWorker m_worker; // last: ends first
+    BackgroundLook m_look; // last: ends first
 };
 
 } // namespace knead

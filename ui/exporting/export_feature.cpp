@@ -34,6 +34,7 @@ ExportFeature::ExportFeature(const Workbench& bench)
     bench.docks.add("exportDock", tr("Export report"), m_panel);
     bench.availability.needBodies({m_action});
     connect(m_action, &QAction::triggered, this, &ExportFeature::askForExport);
+    connect(m_panel, &ExportPanel::placeWanted, this, &ExportFeature::placeWanted);
 }
 
 void ExportFeature::askForExport()
@@ -138,9 +139,25 @@ std::vector<bool> ExportFeature::partsFor(ExportRequest::Which which) const
     return keep;
 }
 
+/// Where it is folded or passes through itself, or else the part. Pieces are named after their part.
+std::optional<ReportPlace> ExportFeature::placeOf(const PartExportReport& part) const
+{
+    if (part.fold)
+        return ReportPlace::at(*part.fold);
+    const std::shared_ptr<const Model>& model = m_bench.document.content().model;
+    std::optional<std::size_t> found;
+    for (std::size_t p = 0; model && p < model->parts.size(); ++p)
+        for (const std::string& name : {model->parts[p].name, m_bench.document.nameOfPart(p).toStdString()})
+            if (part.name == name)
+                return ReportPlace::ofPart(p);
+            else if (!name.empty() && part.name.starts_with(name))
+                found = p;
+    return found ? std::optional(ReportPlace::ofPart(*found)) : std::nullopt;
+}
+
 void ExportFeature::showExport(const std::vector<ExportReport>& reports)
 {
-    m_panel->show(reports);
+    m_panel->show(reports, [this](const PartExportReport& part) { return placeOf(part); });
     m_bench.docks.show("exportDock");
     for (const ExportReport& report : reports) {
         m_bench.document.notes().noteExport(report.file, static_cast<double>(QDateTime::currentSecsSinceEpoch()));

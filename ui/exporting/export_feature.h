@@ -4,9 +4,11 @@
 #include "core/model/file_formats.h"
 #include "core/session/export_request.h"
 #include "ui/frame/workbench.h"
+#include "ui/panels/place_rows.h"
 
 #include <QObject>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,9 @@ public:
     /// Writes the deformed parts in the background; the ending decides the format.
     void exportTo(const QString& path, const ExportRequest& request = {});
 
+signals:
+    void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
+
 private:
     struct PlannedFile {
         std::string path;
@@ -38,6 +43,7 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
+    std::optional<ReportPlace> placeOf(const PartExportReport& part) const;
 
     Workbench m_bench;
     QAction* m_action;

@@ -10,6 +10,7 @@
 #include "ui/interaction/hands.h"
 #include "ui/materials/material_store.h"
 #include "ui/measuring/measuring.h"
+#include "ui/measuring/shown_place.h"
 #include "ui/modes.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/display_panel.h"
@@ -199,6 +200,7 @@ void MainWindow::makeFeatures()
     f.selection = new SelectionFeature(
         bench, {*f.simulation, *f.hands, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});
     f.help = new HelpFeature(bench);
+    showPlacesOfReports();
     m_timeline->addButton(f.recording->actions().video);
     connect(&m_center->home(), &HomePage::openClicked, this, [this] { m_features->imports->askForFile(false); });
     connect(&f.measuring->measuring(), &Measuring::promptChanged, this, &MainWindow::showHint);
@@ -208,6 +210,16 @@ void MainWindow::makeFeatures()
     m_center->addBar(*m_selectionBar, Center::Side::left);
     m_center->addBar(*m_sculptBar, Center::Side::right);
     m_availability.needPart({m_selectionBar->toggleViewAction(), m_sculptBar->toggleViewAction()});
+}
+
+/// One way to a place from all rows that are about one.
+void MainWindow::showPlacesOfReports()
+{
+    auto* shown = new ShownPlace(m_document, *m_viewport);
+    connect(m_features->imports, &ImportFeature::placeWanted, shown, &ShownPlace::show);
+    connect(m_features->exports, &ExportFeature::placeWanted, shown, &ShownPlace::show);
+    connect(m_features->comparison, &ComparisonFeature::placeWanted, shown, &ShownPlace::show);
+    connect(m_features->measuring, &MeasuringFeature::placeWanted, shown, &ShownPlace::show);
 }
 
 void MainWindow::makeMenus()

@@ -72,6 +72,7 @@ protected:
 private:
     void makePanels();
     void makeFeatures();
+    void showPlacesOfReports();
     void makeMenus();
     void makeCommands();
     void connectActions();

@@ -64,6 +64,7 @@ ImportFeature::ImportFeature(const Workbench& bench, ProjectsFeature& projects, 
     connect(m_panel, &ImportPanel::unitChosen, this, &ImportFeature::takeIn);
     connect(m_panel, &ImportPanel::healingChosen, this, &ImportFeature::takeHealed);
     connect(m_panel, &ImportPanel::fillingChosen, this, &ImportFeature::fillOpenParts);
+    connect(m_panel, &ImportPanel::placeWanted, this, &ImportFeature::placeWanted);
     connect(&projects, &ProjectsFeature::fileChosen, this, [this](const QString& path) { openInstead({path}); });
 }
 

@@ -3,6 +3,7 @@
 #include "core/model/file_preview.h"
 #include "core/session/filled_model.h"
 #include "ui/frame/workbench.h"
+#include "ui/panels/place_rows.h"
 
 #include <QObject>
 
@@ -53,6 +54,9 @@ public:
     /// The report, and what matters most of it in the banner: once, not with work that was done in spite of it.
     void showImport();
     void showNothing(); ///< the part was closed
+
+signals:
+    void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
 
 private:
     void askForParts();

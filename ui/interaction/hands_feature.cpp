@@ -5,16 +5,19 @@
 #include "ui/document/fold_watch.h"
 #include "ui/document/force_record.h"
 #include "ui/document/tool_kinds.h"
+#include "ui/document/warning_watch.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/text_files.h"
 #include "ui/interaction/hand_panel.h"
 #include "ui/interaction/hands.h"
 #include "ui/measuring/fold_marks.h"
+#include "ui/measuring/warning_marks.h"
 #include "ui/modes.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/panel_area.h"
 #include "ui/theme.h"
+#include "ui/viewport/view_grid.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -76,6 +79,7 @@ HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
     m_addTool.addActions(m_actions.addTool);
     auto* folds = new FoldWatch(bench.document, this);
     new FoldMarks(*folds, bench.viewport);
+    new WarningMarks(*new WarningWatch(bench.document, *folds, this), bench.views);
     connect(folds, &FoldWatch::said, &bench.notices, &Notices::remark);
     bench.docks.add("handsDock", tr("Hands"), scrolled(m_hands->makePanel()));
     bench.docks.add("forcesDock", tr("Forces"),

@@ -71,6 +71,7 @@ void ComparisonFeature::showComparison(const ComparisonReport& report)
         if (what == Document::Change::Model)
             dialog->close();
     });
+    connect(dialog, &ComparisonDialog::placeWanted, this, &ComparisonFeature::placeWanted);
     connect(dialog, &ComparisonDialog::reportWanted, this, [this, report] {
         askForTextFile(m_bench, tr("Write a report"), "-report.pdf", {tr("PDF (*.pdf)"), tr("Web page (*.html *.htm)")},
                        [this, report](const QString& path) { writeReport(path, report); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/frame/workbench.h"
+#include "ui/panels/place_rows.h"
 
 #include <QObject>
 
@@ -22,6 +23,9 @@ public:
 
     /// Writes a report as PDF or HTML in the background; the ending decides.
     void write(const QString& path, const Comparison& comparison);
+
+signals:
+    void placeWanted(const knead::ReportPlace& place); ///< of a row of the comparison
 
 private:
     void compareWithOriginal();

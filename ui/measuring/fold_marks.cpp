@@ -32,7 +32,7 @@ FoldMarks::FoldMarks(const FoldWatch& folds, ViewportWidget& view)
 std::vector<QPointF> FoldMarks::places() const
 {
     std::vector<QPointF> rings;
-    if (m_view.isLookingBack())
+    if (m_view.isLookingBack() || !m_view.options().warnings)
         return rings;
     for (const Fold& fold : m_folds.folds())
         for (const Vec3& place : m_folds.placesOf(fold)) {

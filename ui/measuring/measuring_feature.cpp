@@ -26,6 +26,7 @@ MeasuringFeature::MeasuringFeature(const Workbench& bench, Modes& modes)
     connect(&bench.views, &ViewGrid::sideAdded, m_measuring, &Measuring::addView);
     bench.docks.add("measureDock", tr("Measurements"), &m_measuring->panel());
     connect(&m_measuring->tool(), &PickTool::begun, this, [this] { m_bench.docks.show("measureDock"); });
+    connect(&m_measuring->panel(), &MeasurePanel::placeWanted, this, &MeasuringFeature::placeWanted);
     connect(&m_measuring->panel(), &MeasurePanel::csvWanted, this, &MeasuringFeature::askForFile);
     forgetRefusals();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/frame/workbench.h"
+#include "ui/panels/place_rows.h"
 
 #include <QObject>
 
@@ -22,6 +23,9 @@ public:
 
     /// Writes what was measured as a table in the background.
     void write(const QString& path);
+
+signals:
+    void placeWanted(const knead::ReportPlace& place); ///< of a row
 
 private:
     void forgetRefusals();

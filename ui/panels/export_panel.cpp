@@ -150,6 +150,8 @@ ExportPanel::ExportPanel(QWidget* parent)
     m_parts->setFrameShape(QFrame::NoFrame);
     m_parts->setHeaderLabels({tr("Part"), tr("Read back"), tr("As"), tr("Solids"), tr("Faces"),
                               tr("Distance to the material"), tr("Volume (since opened)"), tr("Mass")});
+    m_places = new PlaceRows(*m_parts);
+    connect(m_places, &PlaceRows::wanted, this, &ExportPanel::placeWanted);
     m_parts->setWordWrap(true);
     m_parts->setItemDelegate(new SentenceDelegate(*m_parts));
     m_parts->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -167,7 +169,7 @@ void ExportPanel::changeEvent(QEvent* event)
     if (event->type() != QEvent::LanguageChange)
         return;
     if (!m_reports.empty())
-        show(std::vector<ExportReport>(m_reports));
+        show(std::vector<ExportReport>(m_reports), PlaceOf(m_placeOf));
     fitColumns();
 }
 
@@ -189,9 +191,10 @@ QString ExportPanel::verdict(std::size_t sound, std::size_t parts)
                               : tr("%1 of %2 parts are not sound.").arg(parts - sound).arg(parts);
 }
 
-void ExportPanel::show(const std::vector<ExportReport>& reports)
+void ExportPanel::show(const std::vector<ExportReport>& reports, const PlaceOf& placeOf)
 {
     m_reports = reports;
+    m_placeOf = placeOf;
     m_parts->clear();
     std::uint64_t bytes = 0;
     double seconds = 0;
@@ -204,6 +207,7 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
         for (const PartExportReport& part : report.parts) {
             QTreeWidgetItem* row = rowOf(part);
             m_parts->addTopLevelItem(row);
+            m_places->set(*row, placeOf ? placeOf(part) : std::nullopt);
             for (int child = 0; child < row->childCount(); ++child)
                 row->child(child)->setFirstColumnSpanned(true); // the tree must know it by then
             sound += part.isSound() ? 1 : 0;

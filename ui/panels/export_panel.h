@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/model/export_report.h"
+#include "ui/panels/place_rows.h"
 
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 class QLabel;
@@ -15,12 +17,18 @@ namespace knead {
 class ExportPanel final : public QWidget {
     Q_OBJECT
 public:
+    /// Where an exported part is; nothing: not known.
+    using PlaceOf = std::function<std::optional<ReportPlace>(const PartExportReport&)>;
+
     explicit ExportPanel(QWidget* parent = nullptr);
 
-    void show(const std::vector<ExportReport>& reports);
+    void show(const std::vector<ExportReport>& reports, const PlaceOf& placeOf = {});
 
     /// A sentence. @param sound parts of all `parts`
     static QString verdict(std::size_t sound, std::size_t parts);
+
+signals:
+    void placeWanted(const knead::ReportPlace& place);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -31,6 +39,8 @@ private:
     std::vector<ExportReport> m_reports; ///< that are shown
     QLabel* m_summary;
     QTreeWidget* m_parts;
+    PlaceRows* m_places;
+    PlaceOf m_placeOf; ///< of the parts that are shown
 };
 
 } // namespace knead

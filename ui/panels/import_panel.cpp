@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,6 +21,16 @@
 namespace knead {
 
 namespace {
+
+/// Where the surface of a part ends, or else the part.
+ReportPlace openPlaceOf(const Model& model, std::size_t part)
+{
+    ReportPlace place;
+    for (const std::vector<Vec3>& line : model.parts[part].openEdges)
+        for (const Vec3& corner : line)
+            place.box.extend(corner);
+    return place.box.isEmpty() ? ReportPlace::ofPart(part) : place;
+}
 
 } // namespace
 
@@ -61,6 +72,8 @@ ImportPanel::ImportPanel(QWidget* parent)
     connect(m_unit, &QComboBox::activated, this,
             [this](int index) { emit unitChosen(m_unit->itemData(index).toString()); });
     connect(m_fill, &QPushButton::clicked, this, &ImportPanel::fillingChosen);
+    connect(m_remarks, &QTextBrowser::anchorClicked, this,
+            [this](const QUrl& link) { emit placeWanted(m_places.at(link.fragment().toULongLong())); });
     connect(m_heal, &QPushButton::clicked, this, [this] { emit healingChosen(!m_isHealed); });
 }
 
@@ -110,10 +123,17 @@ void ImportPanel::show(const FilledModel& content)
 void ImportPanel::listRemarks(const FilledModel& content)
 {
     QString rows;
-    const auto add = [&rows](const QString& subject, const QString& sentence, bool isRepair = false) {
-        rows += QStringLiteral("<tr><td>%1&nbsp;</td><td><b>%2</b></td><td>%3</td></tr>")
+    m_places.clear();
+    const auto add = [&](const QString& subject, const QString& sentence, const std::optional<ReportPlace>& place = {},
+                         bool isRepair = false) {
+        QString link;
+        if (place) {
+            link = QStringLiteral("<a href=\"#%1\">%2</a>").arg(m_places.size()).arg(PlaceRows::tr("Show me"));
+            m_places.push_back(*place);
+        }
+        rows += QStringLiteral("<tr><td>%1&nbsp;</td><td><b>%2</b></td><td>%3 %4</td></tr>")
                     .arg(isRepair ? QString() : QStringLiteral("\u26a0"), subject.toHtmlEscaped(),
-                         sentence.toHtmlEscaped());
+                         sentence.toHtmlEscaped(), link);
     };
     const Model& model = *content.model;
     if (model.unitRemark)
@@ -125,12 +145,15 @@ void ImportPanel::listRemarks(const FilledModel& content)
     for (const Message& sentence : model.warnings)
         add(tr("File"), said(sentence));
     for (const auto& [part, reason] : content.unfilled)
-        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(said(reason)));
-    for (const Part& part : model.parts) {
+        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(said(reason)),
+            openPlaceOf(model, part));
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        const Part& part = model.parts[p];
         for (const Message& sentence : part.warnings)
-            add(QString::fromStdString(part.path), said(sentence));
+            add(QString::fromStdString(part.path), said(sentence), openPlaceOf(model, p));
         for (const Message& sentence : part.repairs)
-            add(QString::fromStdString(part.path), tr("Repaired: %1").arg(said(sentence)), true);
+            add(QString::fromStdString(part.path), tr("Repaired: %1").arg(said(sentence)), ReportPlace::ofPart(p),
+                true);
     }
     m_hasRemarks = !rows.isEmpty();
     m_remarks->setHtml(m_hasRemarks ? "<table cellpadding=2>" + rows + "</table>"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/session/filled_model.h"
+#include "ui/panels/place_rows.h"
 
 #include <QWidget>
 
@@ -12,7 +13,7 @@ class QTextBrowser;
 namespace knead {
 
 /// The report on what was opened: the unit, what was repaired part by part, what is missing or odd, and what a person may have
-/// done otherwise.
+/// done otherwise. Rows about a part have a link that shows it; Tab goes from one to the next, Enter follows it.
 class ImportPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -27,6 +28,7 @@ signals:
     void unitChosen(const QString& unit); ///< lengths are to be taken in this unit
     void healingChosen(bool heal);        ///< the shapes are wanted repaired, or as they are in the file
     void fillingChosen();                 ///< surfaces that are not closed are to be filled all the same
+    void placeWanted(const knead::ReportPlace& place);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -40,6 +42,7 @@ private:
     QPushButton* m_fill;
     QTextBrowser* m_remarks;
     std::optional<FilledModel> m_content; ///< that is shown
+    std::vector<ReportPlace> m_places;    ///< of the links, by their numbers
     bool m_hasRemarks = false;
     bool m_isHealed = true;
 };

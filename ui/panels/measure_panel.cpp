@@ -83,6 +83,18 @@ bool hasMain(MeasureKind kind)
     return kind != MeasureKind::point && kind != MeasureKind::box && kind != MeasureKind::mass;
 }
 
+/// All that the view shows of a measurement; nothing where it is not to be seen.
+std::optional<ReportPlace> placeOf(const Measured& result)
+{
+    ReportPlace place;
+    for (const Vec3& point : result.mark.points)
+        place.box.extend(point);
+    for (const std::vector<Vec3>& line : result.mark.lines)
+        for (const Vec3& point : line)
+            place.box.extend(point);
+    return place.box.isEmpty() || result.readings.empty() ? std::nullopt : std::optional(place);
+}
+
 void fill(QTreeWidgetItem* row, const Reading& reading)
 {
     row->setText(nowColumn, formatQuantity(reading.now, reading.quantity));
@@ -166,6 +178,8 @@ void MeasurePanel::makeTree()
     m_tree->header()->setStretchLastSection(true);
     m_tree->header()->setDefaultSectionSize(130);
     m_tree->setColumnWidth(nameColumn, 190);
+    m_places = new PlaceRows(*m_tree);
+    connect(m_places, &PlaceRows::wanted, this, &MeasurePanel::placeWanted);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &MeasurePanel::selectionChanged);
     auto* keys = static_cast<KeyTree*>(m_tree);
     keys->copy = [this] { copy(); };
@@ -229,6 +243,7 @@ void MeasurePanel::showNumbers()
             for (int child = 0; child < row->childCount(); ++child)
                 fill(row->child(child), result.readings[static_cast<std::size_t>(child) + (isMain ? 1 : 0)]);
         }
+        m_places->set(*row, placeOf(result));
         const QString remark = remarkOn(result);
         if (row->toolTip(nowColumn).isEmpty() != remark.isEmpty())
             row->setIcon(nowColumn, remark.isEmpty() ? QIcon() : icon("warning"));

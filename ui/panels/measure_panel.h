@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/measuring/measurement_list.h"
+#include "ui/panels/place_rows.h"
 
 #include <QWidget>
 
@@ -28,6 +29,7 @@ signals:
     void selectionChanged();
     void csvWanted();
     void comparisonWanted();
+    void placeWanted(const knead::ReportPlace& place); ///< of a row
 
 private:
     void makeButtons(const QList<QAction*>& actions);
@@ -44,6 +46,7 @@ private:
     std::vector<Measured> m_results;
     std::vector<std::size_t> m_shape; ///< numbers of readings that the rows were made for
     QTreeWidget* m_tree;
+    PlaceRows* m_places = nullptr;
     QLabel* m_hint;
     QToolButton* m_copy = nullptr;
     QToolButton* m_csv = nullptr;

@@ -42,6 +42,7 @@ struct SceneOptions {
     bool connections = false; ///< of the objects that are drawn, or would be
     bool original = false;    ///< the shape at rest, translucent
     bool breaks = false;      ///< marks where connections broke
+    bool warnings = true;     ///< marks where material folds, gets thin or is about to break
     ColorOptions colors;
     Shading shading = Shading::usual; ///< of skins whose colors tell no values
     SectionOptions section;

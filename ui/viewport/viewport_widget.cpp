@@ -18,9 +18,10 @@ namespace knead {
 
 namespace {
 
-constexpr int turnTime = 220;        // [ms]
-constexpr double drawingShare = 0.4; // of the window's time at most; without a graphics card drawing is slow
-constexpr int captionInset = 12;     // [pixels]
+constexpr double roomAroundPlace = 1.15; // in distance: in perspective a box that is in the middle reaches further
+constexpr int turnTime = 220;            // [ms]
+constexpr double drawingShare = 0.4;     // of the window's time at most; without a graphics card drawing is slow
+constexpr int captionInset = 12;         // [pixels]
 
 } // namespace
 
@@ -394,6 +395,20 @@ void ViewportWidget::fit()
 {
     Camera camera = cameraAfterTurning();
     camera.fit(m_scene->box(), window(), taken());
+    turnTo(camera);
+}
+
+void ViewportWidget::flyTo(const Box& box, const std::optional<Vec3>& from)
+{
+    Camera camera = cameraAfterTurning();
+    if (from)
+        camera.lookFrom(*from);
+    const Insets covered = taken();
+    camera.fit(box, window(), covered);
+    camera.distance *= roomAroundPlace;
+    if (const std::optional<Pixel> seen = camera.project(box.center(), window()))
+        camera.pan((window().width + covered.left - covered.right) / 2 - seen->x,
+                   (window().height + covered.top - covered.bottom) / 2 - seen->y, window());
     turnTo(camera);
 }
 

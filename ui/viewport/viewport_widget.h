@@ -63,6 +63,9 @@ public:
     /// @param taken from the sides of the view; nothing: it lies there no more
     void keepFree(const QObject* what, const Insets& taken);
     Insets taken() const; ///< by all that lies on it
+    /// Moves the view, smoothly, so that the middle of a box is in that of what is free, and the box nearly fills it.
+    /// @param from see lookFrom(); nothing: the present direction
+    void flyTo(const Box& box, const std::optional<Vec3>& from = {});
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
     void setPerspective(bool on);
