@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class QAction;
@@ -39,6 +40,10 @@ public:
     /// sentence and leaves everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
     void open(const ImportChoices& request);
+    /// Opens a file with its parts of another material than usual, once what is not saved may go.
+    /// @param preset of the services' materials; one that is not there: the usual one
+    /// @param then called when it is open
+    void openOf(const std::string& preset, const QString& path, std::function<void()> then);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Once what is not saved may go.
@@ -54,6 +59,8 @@ public:
     void showImport();
 
 private:
+    ImportChoices usualChoices(const QStringList& paths) const;
+    void open(const ImportChoices& request, const Material& material, std::function<void()> then);
     void askForParts();
     void askForChoices(std::vector<FilePreview> previews);
     void startRefill(double spacing);
