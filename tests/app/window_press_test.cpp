@@ -4,6 +4,7 @@
 #include "support/history_on_test.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/help/tour.h"
+#include "ui/interaction/hands.h"
 #include "ui/panels/press_button.h"
 #include "ui/run_window.h"
 
@@ -158,6 +159,9 @@ private slots:
         settle();
         QVERIFY2(largestShift() > 0.01, qPrintable(QString::number(largestShift())));
         picture("tour-dent");
+        QTest::mouseClick(find<QPushButton>("tourEnd"), Qt::LeftButton);
+        QVERIFY(comesTrue([this] { return tour() == nullptr; }));
+        QCOMPARE(m_window->hands().settings().choices().sculptStrength, 1.0); // as it was
     }
 
     /// Press, pull, export: each is noticed by itself.
@@ -200,6 +204,8 @@ private slots:
         picture("tour-end");
 
         // The keyboard reaches the card from the view; there Esc ends it.
+        m_window->activateWindow(); // there may be no window manager that does it
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
         view().setFocus();
         QTest::keyClick(&view(), Qt::Key_Tab);
         QVERIFY(tour()->isAncestorOf(QApplication::focusWidget()));

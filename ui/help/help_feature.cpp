@@ -30,6 +30,8 @@ namespace {
 
 constexpr const char* tourPart = "lump.step";
 constexpr const char* tourMaterial = "modeling-clay";
+constexpr double tourRadius = 0.14; // of a thumb, in sizes of the part: as a large one of a fist of clay
+constexpr double tourStrength = 4;  // so that a dent is seen after half a second
 
 /// A key that is to be given to a command does nothing else.
 bool takesAnyKey(const QWidget* widget)
@@ -67,6 +69,8 @@ HelpFeature::HelpFeature(const Workbench& bench)
 
 HelpFeature::~HelpFeature()
 {
+    if (m_tour != nullptr)
+        m_tour->close(); // what it chose is as it was
     delete m_tour;
 }
 
@@ -125,7 +129,6 @@ void HelpFeature::openHandbookAt(const QWidget* place)
 
 void HelpFeature::beginTour()
 {
-    delete m_tour;
     const QString part = QDir(QString::fromStdString(m_bench.services.examplesFolder)).filePath(tourPart);
     m_places->imports.openOf(tourMaterial, part, [this] { showTour(); });
 }
@@ -133,14 +136,32 @@ void HelpFeature::beginTour()
 /// On what was just opened.
 void HelpFeature::showTour()
 {
+    if (m_tour != nullptr)
+        m_tour->close();
     const TourSources sources{m_bench,           m_places->hands,   *m_places->exports.action(),
                               m_places->toolBar, m_places->brushes, m_places->banner};
     m_tour = new Tour(m_bench.window, claySteps(sources), m_bench.viewport);
-    connect(m_tour, &Tour::ended, this, [this] {
-        if (QWidget* at = QApplication::focusWidget(); at != nullptr && m_tour->isAncestorOf(at))
-            m_bench.viewport.setFocus();
-    });
+    connect(m_tour, &Tour::ended, this, &HelpFeature::endTour);
+    HandSettings& settings = m_places->hands.settings();
+    HandChoices choices = settings.choices();
+    m_strengthBefore = choices.sculptStrength;
+    choices.sculptStrength = tourStrength;
+    choices.sculptRadius = tourRadius * m_bench.document.size();
+    settings.set(choices);
     m_tour->begin();
+}
+
+/// What was chosen for it is as it was, unless the person chose otherwise meanwhile.
+void HelpFeature::endTour()
+{
+    HandSettings& settings = m_places->hands.settings();
+    HandChoices choices = settings.choices();
+    if (choices.sculptStrength == tourStrength)
+        choices.sculptStrength = m_strengthBefore;
+    choices.sculptRadius = 0;
+    settings.set(choices);
+    if (const QWidget* at = QApplication::focusWidget(); at != nullptr && m_tour->isAncestorOf(at))
+        m_bench.viewport.setFocus();
 }
 
 /// Another part is not the tour's.

@@ -38,7 +38,7 @@ public:
     struct Places {
         ImportFeature& imports;
         const ExportFeature& exports;
-        const Hands& hands;
+        Hands& hands;
         const QToolBar& toolBar;
         const QToolBar& brushes;
         const QWidget& banner;
@@ -63,6 +63,7 @@ private:
     void openHandbookAt(const QWidget* place);
     QString pageAt(const QWidget* place) const;
     void followDocument(Document::Change what);
+    void endTour();
     void showControls();
     void showAbout();
 
@@ -71,6 +72,7 @@ private:
     std::optional<Places> m_places;
     QPointer<HandbookWindow> m_handbook;
     QPointer<Tour> m_tour;
+    double m_strengthBefore = 1; ///< of brushes, before the tour
 };
 
 } // namespace knead

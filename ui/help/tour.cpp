@@ -149,7 +149,7 @@ void Tour::say()
     const QString title = now().title();
     m_title->setText(m_isDone ? QStringLiteral("✓ ") + title : title);
     m_text->setText(now().text());
-    m_count->setText(tr("%1 of %2").arg(m_step + 1).arg(m_steps.size()));
+    m_count->setText(isLast ? QString() : tr("%1 of %2").arg(m_step + 1).arg(m_steps.size() - 1)); // that are done
     const QWidget* had = QApplication::focusWidget();
     m_back->setVisible(m_step > 0);
     m_skip->setVisible(!isLast);
@@ -179,17 +179,19 @@ QRect Tour::spot() const
                            : place.adjusted(-ringRim, -ringRim, ringRim, ringRim).intersected(m_window.rect());
 }
 
-/// So much of what should be seen or clicked a card would hide [pixels].
+/// So much of what should be seen or clicked a card would hide; of what is pointed at, nothing may be [pixels].
 qint64 Tour::covered(const QRect& card) const
 {
-    qint64 most = areaOf(card.intersected(spot()));
+    constexpr int never = 1000;
+    qint64 most = never * areaOf(card.intersected(spot()));
     if (now().uncovered)
         for (const QRect& free : now().uncovered())
             most += areaOf(card.intersected(free));
-    return most + 4 * (areaOf(card) - areaOf(card.intersected(m_window.rect())));
+    return most;
 }
 
-/// Right of the place, left, below, above, else in a corner of the middle of the window: the first that covers least.
+/// Right of the place, left, below, above, else in a corner of the middle of the window or of the window: the first that covers
+/// least.
 QPoint Tour::cornerBeside(const QRect& place) const
 {
     const QRect room = m_window.rect().adjusted(tourGap, tourGap, -tourGap, -tourGap);
@@ -198,17 +200,17 @@ QPoint Tour::cornerBeside(const QRect& place) const
                       std::clamp(y, room.top(), std::max(room.top(), room.bottom() - height())));
     };
     const QWidget* center = m_window.centralWidget();
-    const QRect views =
-        QRect(center->mapTo(&m_window, QPoint(0, 0)), center->size()).adjusted(tourGap, tourGap, -tourGap, -tourGap);
+    const QRect views(center->mapTo(&m_window, QPoint(0, 0)), center->size());
     const int x = place.center().x() - width() / 2;
     const int y = place.center().y() - height() / 2;
     QList<QPoint> corners;
     if (!place.isEmpty())
         corners << within(place.right() + tourGap, y) << within(place.left() - tourGap - width(), y)
                 << within(x, place.bottom() + tourGap) << within(x, place.top() - tourGap - height());
-    for (const int left : {views.left(), views.right() - width()})
-        for (const int top : {views.bottom() - height(), views.top()})
-            corners << within(left, top);
+    for (const QRect& area : {views.adjusted(tourGap, tourGap, -tourGap, -tourGap), room})
+        for (const int left : {area.right() - width(), area.left()})
+            for (const int top : {area.bottom() - height(), area.top()})
+                corners << within(left, top);
     return *std::ranges::min_element(corners, {}, [&](const QPoint& corner) { return covered(QRect(corner, size())); });
 }
 

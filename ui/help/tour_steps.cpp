@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QMainWindow>
 #include <QToolBar>
+#include <QWidget>
 
 #include <algorithm>
 #include <memory>
@@ -30,6 +31,7 @@ public:
     explicit TourWatch(const TourSources& sources)
         : m_bench(sources.bench)
         , m_hands(sources.hands)
+        , m_brushes(sources.brushes)
         , m_banner(sources.banner)
     {
     }
@@ -75,10 +77,10 @@ public:
         return mark(corner + inwards * (box.center() - corner));
     }
 
-    /// All of the part that can be worked, as it is seen, and what lies on the view to be clicked.
+    /// All of the part that can be worked, as it is seen, and what lies on the view and beside it to be clicked.
     QList<QRect> part() const
     {
-        QList<QRect> rects{rectOf(&m_banner)};
+        QList<QRect> rects{rectOf(&m_banner), rectOf(&m_brushes)};
         if (m_bench.document.isEmpty() || !m_bench.viewport.isVisible())
             return rects;
         const Box box = m_bench.viewport.materialBox();
@@ -130,6 +132,7 @@ public:
 private:
     Workbench m_bench;
     const Hands& m_hands;
+    const QWidget& m_brushes;
     const QWidget& m_banner;
 };
 
@@ -188,7 +191,6 @@ std::vector<Tour::Step> claySteps(const TourSources& sources)
     pulling.place = [watch, pull, &bar = sources.brushes] {
         return pull->isChecked() ? watch.cornerOfPart() : watch.rectOf(bar.widgetForAction(const_cast<QAction*>(pull)));
     };
-    pulling.uncovered = [watch, &bar = sources.brushes] { return watch.part() << watch.rectOf(&bar); };
 
     const auto before = std::make_shared<std::pair<std::string, double>>();
     Tour::Step exporting;
