@@ -180,7 +180,8 @@ private slots:
         }
         QVERIFY(comesTrue([&] { return shownDialog(name) != nullptr; }));
         QPointer<QDialog> dialog = shownDialog(name);
-        dialog->activateWindow();
+        dialog->activateWindow(); // there may be no window manager that does it
+        QVERIFY(QTest::qWaitForWindowActive(dialog, patience));
         QWidget* at = dialog->focusWidget() != nullptr ? dialog->focusWidget() : dialog.data();
         verifyPage(*at, spoken, dialog);
         dialog->reject();

@@ -30,8 +30,16 @@ namespace {
 
 constexpr const char* tourPart = "lump.step";
 constexpr const char* tourMaterial = "modeling-clay";
-constexpr double tourRadius = 0.14; // of a thumb, in sizes of the part: as a large one of a fist of clay
-constexpr double tourStrength = 4;  // so that a dent is seen after half a second
+constexpr double tourRadius = 0.13;  // of a thumb, in sizes of the part: as a large one of a fist of clay
+constexpr double tourStrength = 2.5; // so that a dent is seen after half a second
+
+/// Other than QWidget::isAncestorOf(): also of what is a window of its own.
+bool belongsTo(const QWidget& window, const QWidget* widget)
+{
+    while (widget != nullptr && widget != &window)
+        widget = widget->parentWidget();
+    return widget != nullptr;
+}
 
 /// A key that is to be given to a command does nothing else.
 bool takesAnyKey(const QWidget* widget)
@@ -83,7 +91,7 @@ bool HelpFeature::eventFilter(QObject* watched, QEvent* event)
     if (widget == nullptr || widget->window() == &m_bench.window || takesAnyKey(widget))
         return false;
     const auto* dialog = qobject_cast<const QDialog*>(widget->window());
-    if (dialog == nullptr || dialog == m_handbook || !m_bench.window.isAncestorOf(dialog) ||
+    if (dialog == nullptr || dialog == m_handbook || !belongsTo(m_bench.window, dialog) ||
         !m_actions.handbook->shortcuts().contains(QKeySequence(static_cast<const QKeyEvent*>(event)->keyCombination())))
         return false;
     openHandbookAt(widget);
@@ -158,7 +166,8 @@ void HelpFeature::endTour()
     HandChoices choices = settings.choices();
     if (choices.sculptStrength == tourStrength)
         choices.sculptStrength = m_strengthBefore;
-    choices.sculptRadius = 0;
+    if (choices.sculptRadius == tourRadius * m_bench.document.size())
+        choices.sculptRadius = 0; // goes by the part
     settings.set(choices);
     if (const QWidget* at = QApplication::focusWidget(); at != nullptr && m_tour->isAncestorOf(at))
         m_bench.viewport.setFocus();

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -194,7 +195,8 @@ qint64 Tour::covered(const QRect& card) const
 /// least.
 QPoint Tour::cornerBeside(const QRect& place) const
 {
-    const QRect room = m_window.rect().adjusted(tourGap, tourGap, -tourGap, -tourGap);
+    const int below = m_window.statusBar()->height() + tourGap / 2; // what it says is to be read
+    const QRect room = m_window.rect().adjusted(tourGap, tourGap, -tourGap, -below);
     const auto within = [&](int x, int y) {
         return QPoint(std::clamp(x, room.left(), std::max(room.left(), room.right() - width())),
                       std::clamp(y, room.top(), std::max(room.top(), room.bottom() - height())));
