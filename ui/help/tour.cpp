@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace knead {
@@ -231,11 +232,15 @@ void Tour::arrange(bool isNew)
     }
 }
 
+/// Where the card has the keyboard, keys of its buttons are not the window's: Space would let time run.
 bool Tour::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept(); // where the card has the keyboard, it is not the window's
-        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        constexpr int own[] = {Qt::Key_Escape, Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter};
+        if (std::ranges::find(own, static_cast<QKeyEvent*>(event)->key()) != std::end(own)) {
+            event->accept();
+            return true;
+        }
     }
     return QFrame::event(event);
 }
@@ -251,8 +256,11 @@ void Tour::changeEvent(QEvent* event)
 
 void Tour::keyPressEvent(QKeyEvent* event)
 {
+    auto* button = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
         close();
+    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && button != nullptr)
+        button->click();
     else
         QFrame::keyPressEvent(event);
 }
