@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTemporaryDir>
@@ -77,8 +78,12 @@ class WindowPressTest : public QObject, HistoryOnTest {
     {
         QTest::mouseMove(&view(), place);
         QTest::mousePress(&view(), Qt::LeftButton, {}, place);
-        for (int i = 1; i <= 10; ++i)
-            QTest::mouseMove(&view(), place + way * i / 10);
+        for (int i = 1; i <= 10; ++i) {
+            const QPointF at(place + way * i / 10); // sent, as the display may lose some of a quick row of moves
+            QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(&view(), &move);
+            QTest::qWait(15); // the pace of a hand
+        }
         QVERIFY(comesTrue(isSo));
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, place + way);
     }
