@@ -67,7 +67,10 @@ HelpFeature::HelpFeature(const Workbench& bench)
     , m_bench(bench)
     , m_actions(bench.window)
 {
-    connect(m_actions.handbook, &QAction::triggered, this, [this] { openHandbookAt(QApplication::focusWidget()); });
+    connect(m_actions.handbook, &QAction::triggered, this, [this] {
+        const QWidget* at = QApplication::focusWidget();
+        openHandbookAt(at != nullptr ? at : QApplication::activeWindow());
+    });
     connect(m_actions.tour, &QAction::triggered, this, &HelpFeature::beginTour);
     connect(m_actions.controls, &QAction::triggered, this, &HelpFeature::showControls);
     connect(m_actions.about, &QAction::triggered, this, &HelpFeature::showAbout);
