@@ -135,7 +135,8 @@ private slots:
         QCOMPARE(palette()->shown().front().text, QString("Gravity"));
     }
 
-    /// What people type who do not know what a command is called here: the first that is found.
+    /// What people type who do not know what a command is called here: the first that is found. Names come first, those of panels
+    /// and examples, too.
     void aCommandIsFoundByWhatElseItIsCalled_data()
     {
         QTest::addColumn<QString>("language");
@@ -143,7 +144,7 @@ private slots:
         QTest::newRow("en") << QString("en")
                             << Words{{"orbit", "controls"},
                                      {"rotate view", "controls"},
-                                     {"sculpt", "sculptThumb"},
+                                     {"sculpt", "show_sculptBar"},
                                      {"mold", "sculptThumb"},
                                      {"knead", "sculptThumb"},
                                      {"undo", "undo"},
@@ -151,8 +152,9 @@ private slots:
                                      {"zoom", "fit"},
                                      {"glue", "glueSelection"},
                                      {"join", "glueSelection"},
-                                     {"cut", "addKnife"},
-                                     {"slice", "addKnife"},
+                                     {"cut", "example-cut-bar.recipe.json"},
+                                     {"slice", "cutHere"},
+                                     {"blade", "addKnife"},
                                      {"save as", "saveAs"},
                                      {"write as", "saveAs"},
                                      {"IGES", "export"},
