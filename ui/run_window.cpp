@@ -1,6 +1,5 @@
 #include "ui/run_window.h"
 
-#include "ui/frame/features.h"
 #include "ui/frame/main_window.h"
 #include "ui/language/language.h"
 #include "ui/preferences/preferences.h"
@@ -60,8 +59,6 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
     if (!paths.empty())
         window.open(paths);
     window.projects().offerRecoveries(false);
-    if (paths.empty())
-        window.features().help->offerTour();
     return QApplication::exec();
 }
 

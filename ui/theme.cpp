@@ -268,13 +268,14 @@ QLabel[role="force"] {
 QFrame#banner { background: @tip; border: 1px solid @line; border-bottom: 2px solid @problem; border-radius: 4px; }
 QFrame#dropZone { border: 2px dashed @line; border-radius: 12px; background: @base; }
 QFrame#dropZone[isOver="true"] { border-color: @accent; background: @tint; }
+QFrame#trial { border: 2px solid @accent; border-radius: 12px; background: @base; }
 QFrame#waitingWork { border: 1px solid @line; border-left: 4px solid @accent; border-radius: 6px; background: @base; }
 QLabel[role="title"] { font-size: @titleText; font-weight: 600; }
 QTreeView[role="framed"] { border: 1px solid @line; border-radius: 4px; }
 QTreeView[role="framed"]:focus { border-color: @accent; }
 QFrame#commandPalette { background: @tip; border: 1px solid @accent; border-radius: 9px; }
 QFrame#commandPalette QListWidget { border: none; background: transparent; }
-QWidget#tourCard { background: @tip; border: 1px solid @line; border-radius: 9px; }
+QFrame#tour { background: @tip; border: 1px solid @accent; border-radius: 9px; }
 QToolTip { background: @tip; color: @text; border: 1px solid @line; padding: 4px; }
 )");
     const std::pair<const char*, QColor> names[] = {

@@ -1,8 +1,12 @@
 #include "support/window_on_test.h"
 #include "ui/help/handbook.h"
 #include "ui/help/handbook_window.h"
+#include "ui/interaction/hands.h"
+#include "ui/project/project_keeper.h"
 
+#include <QDockWidget>
 #include <QFileInfo>
+#include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -46,6 +50,155 @@ private slots:
         QCOMPARE(book->page(), QString("selecting"));
         QTest::keyClick(book, Qt::Key_Escape);
         QVERIFY(!book->isVisible());
+    }
+
+    /// Every panel: the page that opens speaks of it.
+    void opensAtThePageOfEveryPanel()
+    {
+        const QHash<QString, QString> spokenOf{{"modelDock", "tree"},
+                                               {"historyDock", "History panel"},
+                                               {"simulationDock", "Simulation dock"},
+                                               {"propertiesDock", "panel"},
+                                               {"displayDock", "Display"},
+                                               {"handsDock", "panel Hands"},
+                                               {"timelineDock", "Timeline"},
+                                               {"logDock", "The Log"},
+                                               {"importDock", "Import report"},
+                                               {"exportDock", "Export report"},
+                                               {"performanceDock", "fast"},
+                                               {"measureDock", "Measure"},
+                                               {"probeDock", "Probes"},
+                                               {"forcesDock", "Forces over time"}};
+        openExample("bar.step", 10);
+        int docks = 0;
+        for (auto* dock : m_window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            const QByteArray name = dock->objectName().toUtf8();
+            QVERIFY2(spokenOf.contains(dock->objectName()), name);
+            dock->show();
+            dock->raise();
+            QWidget* at = dock->widget();
+            at->setFocusPolicy(Qt::StrongFocus);
+            for (QWidget* one : at->findChildren<QWidget*>()) // what a person comes to first
+                if (one->isVisible() && one->isEnabled() && (one->focusPolicy() & Qt::TabFocus) != 0) {
+                    at = one;
+                    break;
+                }
+            at->setFocus();
+            QVERIFY2(dock->isAncestorOf(QApplication::focusWidget()), name);
+            verifyPage(*QApplication::focusWidget(), spokenOf[dock->objectName()]);
+            ++docks;
+        }
+        QCOMPARE(docks, static_cast<int>(spokenOf.size()));
+    }
+
+    /// That of the properties goes by what is selected.
+    void opensAtThePageOfWhatIsSelected()
+    {
+        openExample("bar.step", 10);
+        auto* dock = find<QDockWidget>("propertiesDock");
+        dock->widget()->setFocusPolicy(Qt::StrongFocus);
+        document().addTool(ToolKind::box);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        dock->widget()->setFocus();
+        QCOMPARE(pageAfterF1(*dock->widget()), QString("hands"));
+        document().select({Selection::Kind::Body, 0});
+        dock->widget()->setFocus();
+        QCOMPARE(pageAfterF1(*dock->widget()), QString("measuring"));
+    }
+
+    /// In the view: at what the mouse does.
+    void opensAtThePageOfTheMode()
+    {
+        openExample("bar.step", 10);
+        ViewportWidget& view = m_window->viewport();
+        view.setFocus();
+        QCOMPARE(pageAfterF1(view), QString("keys"));
+        for (const QAction* mode : m_window->hands().modes()) {
+            action(qPrintable(mode->objectName()))->setChecked(true);
+            QVERIFY2(pageAfterF1(view) == "hands", qPrintable(mode->objectName()));
+            action(qPrintable(mode->objectName()))->setChecked(false);
+        }
+        action("measureDistance")->setChecked(true);
+        QCOMPARE(pageAfterF1(view), QString("measuring"));
+        action("measureDistance")->setChecked(false);
+    }
+
+    void opensOnTheFirstPage()
+    {
+        auto* open = find<QWidget>("homeOpen");
+        open->setFocus();
+        verifyPage(*open, "Opening files");
+    }
+
+    /// Every dialog, those included that keep the window waiting: the book does not wait with it.
+    void opensAtThePageOfEveryDialog_data()
+    {
+        QTest::addColumn<QString>("asked"); // an action, or how else it comes
+        QTest::addColumn<QString>("name");  // of the dialog
+        QTest::addColumn<QString>("spoken");
+        const auto row = [](const char* asked, const char* name, const char* spoken) {
+            QTest::newRow(name) << QString(asked) << QString(name) << QString(spoken);
+        };
+        row("open", "openDialog", "Opening files");
+        row("choices", "importDialog", "choose parts");
+        row("addPart", "addPartDialog", "Add part");
+        row("export", "exportDialog", "STEP (AP242");
+        row("exportRecipe", "recipeDialog", "A recipe is a JSON file");
+        row("saveAs", "saveDialog", "saves a project");
+        row("another", "saveQuestion", "What is not saved");
+        row("savePicture", "pictureDialog", "Save picture");
+        row("recordVideo", "recordDialog", "Record video");
+        row("compareWithOriginal", "comparisonDialog", "Compare with original");
+        row("preferences", "preferencesDialog", "Preferences");
+        row("partColor", "partColorDialog", "colors");
+        row("controls", "controlsBox", "Mouse and keys");
+        row("about", "aboutBox", "How it is built");
+    }
+
+    void opensAtThePageOfEveryDialog()
+    {
+        QFETCH(QString, asked);
+        QFETCH(QString, name);
+        QFETCH(QString, spoken);
+        openExample("bar.step", 10);
+        document().select({Selection::Kind::Body, 0});
+        if (asked == "recordVideo") { // of what was simulated
+            document().play();
+            QTRY_VERIFY(snapshot().time > 0.1);
+            document().pause();
+            QTRY_VERIFY(document().isSettled());
+        }
+        if (asked == "another") {
+            document().addTool(ToolKind::ball);
+            QTRY_VERIFY(m_window->projects().isModified());
+            m_window->features().imports->openInstead({example("plate.step")});
+        } else if (asked == "choices") {
+            m_window->features().imports->openWithChoices({example("plate.step")});
+        } else {
+            QTRY_VERIFY(action(qPrintable(asked))->isEnabled());
+            action(qPrintable(asked))->trigger();
+        }
+        QVERIFY(comesTrue([&] { return shownDialog(name) != nullptr; }));
+        QPointer<QDialog> dialog = shownDialog(name);
+        QVERIFY(comesTrue([&] { // there may be no window manager that does it
+            if (QApplication::activeWindow() != dialog)
+                dialog->activateWindow();
+            return QApplication::activeWindow() == dialog;
+        }));
+        QWidget* at = dialog->focusWidget() != nullptr ? dialog->focusWidget() : dialog.data();
+        verifyPage(*at, spoken, dialog);
+        dialog->reject();
+        QTRY_VERIFY(dialog == nullptr || !dialog->isVisible());
+    }
+
+    /// A key that is to be given to a command is no question.
+    void aKeyThatIsTypedForACommandOpensNothing()
+    {
+        action("shortcuts")->trigger();
+        QTRY_VERIFY(find<QKeySequenceEdit>("shortcutKey") != nullptr);
+        QTest::keyClick(find<QKeySequenceEdit>("shortcutKey"), Qt::Key_F1);
+        QVERIFY(find<HandbookWindow>("handbook") == nullptr);
+        find<QDialog>("preferencesDialog")->reject();
     }
 
     void findsPagesByWords()
@@ -148,6 +301,42 @@ private slots:
     }
 
 private:
+    QDialog* shownDialog(const QString& name)
+    {
+        for (QDialog* dialog : m_window->findChildren<QDialog*>(name))
+            if (dialog->isVisible())
+                return dialog;
+        return nullptr;
+    }
+
+    QString pageAfterF1(QWidget& at)
+    {
+        QTest::keyClick(&at, Qt::Key_F1);
+        auto* book = find<HandbookWindow>("handbook");
+        if (book == nullptr || !book->isVisible())
+            return {};
+        const QString page = book->page();
+        book->close();
+        m_window->activateWindow();
+        return page;
+    }
+
+    /// F1 there leads to a page that has the words. @param dialog that it lies over, if that keeps the window waiting
+    void verifyPage(QWidget& at, const QString& spoken, QDialog* dialog = nullptr)
+    {
+        QTest::keyClick(&at, Qt::Key_F1);
+        auto* book = find<HandbookWindow>("handbook");
+        QVERIFY(book != nullptr && book->isVisible());
+        const handbook::Page* page = handbook::pageNamed(book->page());
+        QVERIFY(page != nullptr);
+        const QString words = QString(page->words).replace(QRegularExpression("\\s+"), " ");
+        QVERIFY2(words.contains(spoken), qPrintable(page->name + " has not: " + spoken));
+        if (dialog != nullptr && dialog->isModal())
+            QCOMPARE(book->parentWidget(), static_cast<QWidget*>(dialog)); // else nothing could be clicked in it
+        book->close();
+        m_window->activateWindow();
+    }
+
     static QString plain(QString text) { return text.remove('&').remove("..."); }
 
     static QStringList textsOf(const QMenu& menu)

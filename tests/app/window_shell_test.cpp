@@ -1,7 +1,7 @@
 #include "support/window_on_test.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/listed_actions.h"
-#include "ui/help/tour.h"
+#include "ui/commands/synonyms.h"
 #include "ui/language/language.h"
 #include "ui/language/said.h"
 #include "ui/panels/plot_view.h"
@@ -39,6 +39,8 @@
 #include <algorithm>
 
 using namespace knead;
+
+using Words = QList<std::pair<QString, QString>>; ///< what is typed, and the name of the action that is meant
 
 /// What is around the work: commands, keys, preferences, languages, panels, tour, about.
 class WindowShellTest : public QObject, WindowOnTest {
@@ -131,6 +133,126 @@ private slots:
         press(m_window.get(), Qt::Key_K, Qt::ControlModifier); // what was done last comes first
         QTRY_VERIFY(palette()->isVisible());
         QCOMPARE(palette()->shown().front().text, QString("Gravity"));
+    }
+
+    /// What people type who do not know what a command is called here: the first that is found. Names come first, those of panels
+    /// and examples, too.
+    void aCommandIsFoundByWhatElseItIsCalled_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<Words>("words");
+        QTest::newRow("en") << QString("en")
+                            << Words{{"orbit", "controls"},
+                                     {"rotate view", "controls"},
+                                     {"sculpt", "show_sculptBar"},
+                                     {"mold", "sculptThumb"},
+                                     {"knead", "sculptThumb"},
+                                     {"undo", "undo"},
+                                     {"revert", "undo"},
+                                     {"zoom", "fit"},
+                                     {"glue", "glueSelection"},
+                                     {"join", "glueSelection"},
+                                     {"cut", "example-cut-bar.recipe.json"},
+                                     {"slice", "cutHere"},
+                                     {"blade", "addKnife"},
+                                     {"save as", "saveAs"},
+                                     {"write as", "saveAs"},
+                                     {"IGES", "export"},
+                                     {"print", "export"},
+                                     {"3D print", "export"},
+                                     {"weight", "measureMass"},
+                                     {"ruler", "measureDistance"},
+                                     {"tutorial", "tour"},
+                                     {"manual", "handbook"},
+                                     {"hotkeys", "shortcuts"},
+                                     {"shortcuts", "shortcuts"},
+                                     {"dark mode", "darkTheme"},
+                                     {"language", "preferences"},
+                                     {"settings", "preferences"},
+                                     {"screenshot", "savePicture"},
+                                     {"movie", "recordVideo"},
+                                     {"video", "recordVideo"},
+                                     {"delete", "remove"},
+                                     {"clamp", "fixFaces"}};
+        QTest::newRow("de")
+            << QString("de")
+            << Words{{"umkreisen", "controls"},         {"kneten", "sculptThumb"}, {"Gewicht", "measureMass"},
+                     {"Lineal", "measureDistance"},     {"3D-Druck", "export"},    {"Hilfe", "handbook"},
+                     {"Bildschirmfoto", "savePicture"}, {"Sprache", "preferences"}};
+        QTest::newRow("fr") << QString("fr")
+                            << Words{{"petrir", "sculptThumb"},
+                                     {"poids", "measureMass"},
+                                     {"règle", "measureDistance"},
+                                     {"aide", "handbook"},
+                                     {"langue", "preferences"}};
+        QTest::newRow("nl") << QString("nl")
+                            << Words{{"kneden", "sculptThumb"},
+                                     {"gewicht", "measureMass"},
+                                     {"liniaal", "measureDistance"},
+                                     {"hulp", "handbook"},
+                                     {"taal", "preferences"}};
+    }
+
+    void aCommandIsFoundByWhatElseItIsCalled()
+    {
+        QFETCH(QString, language);
+        QFETCH(Words, words);
+        openExample("bar.step", 10); // what can be done comes first
+        Preferences spoken = readPreferences();
+        spoken.language = language;
+        m_window->features().preferences->set(spoken);
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* field = find<QLineEdit>("paletteField");
+        QStringList wrong;
+        for (const auto& [typed, meant] : words) {
+            field->setText(typed);
+            emit field->textEdited(typed); // letters that a test cannot press
+            const std::vector<ListedAction> shown = palette()->shown();
+            const QString first = shown.empty() ? QString("nothing") : shown.front().action->objectName();
+            if (first != meant)
+                wrong << QString("%1: %2, not %3").arg(typed, first, meant);
+            if (typed == "sculpt")
+                picture("palette-synonym");
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
+    }
+
+    /// "STEP" is a step of time by its name, and a file, too; "back" is a view, and what is taken back.
+    void namesComeBeforeSynonyms()
+    {
+        openExample("bar.step", 10);
+        document().addTool(ToolKind::ball);
+        QTRY_VERIFY(action("undo")->isEnabled());
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* field = find<QLineEdit>("paletteField");
+        const auto places = [&](const char* typed, const char* first, const char* then) {
+            field->clear();
+            QTest::keyClicks(field, typed);
+            const std::vector<ListedAction> shown = palette()->shown();
+            const auto placeOf = [&shown](const char* name) {
+                return std::ranges::find(shown, QString(name),
+                                         [](const ListedAction& one) { return one.action->objectName(); }) -
+                       shown.begin();
+            };
+            QCOMPARE(placeOf(first), 0);
+            QVERIFY(placeOf(then) < 4);
+        };
+        places("STEP", "step", "export");
+        places("back", "viewBack", "undo");
+    }
+
+    void whatHasSynonymsIsThere()
+    {
+        QSet<QString> names;
+        for (const ListedAction& one : listedActions(*m_window))
+            names << one.action->objectName();
+        for (const QString& action : actionsWithSynonyms()) {
+            QVERIFY2(names.contains(action), qPrintable(action));
+            QVERIFY2(!synonymsOf(action).isEmpty(), qPrintable(action));
+        }
+        QVERIFY(actionsWithSynonyms().size() > 50);
     }
 
     void filesOfLateMayChangeWhileCommandsAreListed()
@@ -380,76 +502,7 @@ private slots:
         QCOMPARE(document().history().tree().records().size(), std::size_t{2}); // opened and refilled, no entry more
     }
 
-    // --- tour, about ----------------------------------------------------------------------------------------------------
-
-    void theTourPointsAtWhatItSpeaksOf()
-    {
-        action("tour")->trigger();
-        auto* tour = find<Tour>("tour");
-        QTRY_VERIFY(tour->isVisible() && tour->hasFocus());
-        picture("tour-1");
-        press(tour, Qt::Key_Return);
-        QCOMPARE(tour->step(), 1);
-        const auto* dock = find<QDockWidget>("modelDock");
-        QVERIFY(tour->spot().contains(QRect(dock->mapTo(m_window.get(), QPoint(0, 0)), dock->size())));
-        picture("tour-2");
-        press(tour, Qt::Key_Left);
-        QCOMPARE(tour->step(), 0);
-        for (int i = 0; i < 3; ++i)
-            QTest::mouseClick(find<QPushButton>("tourNext"), Qt::LeftButton);
-        QCOMPARE(tour->step(), 3);
-        QVERIFY(!tour->findChild<QWidget*>("tourCard")->geometry().intersects(tour->spot()));
-        picture("tour-4");
-        press(tour, Qt::Key_B); // no key reaches the window
-        QVERIFY(document().isEmpty());
-        press(tour, Qt::Key_Right);
-        press(tour, Qt::Key_Right);
-        QCOMPARE(tour->step(), 5);
-        picture("tour-6");
-        QPointer<Tour> watched = tour;
-        press(tour, Qt::Key_Return);
-        QTRY_VERIFY(watched == nullptr);
-        action("tour")->trigger(); // as often as one likes
-        QTRY_VERIFY(find<Tour>("tour") != nullptr && find<Tour>("tour")->isVisible());
-        watched = find<Tour>("tour");
-        press(watched, Qt::Key_Escape);
-        QTRY_VERIFY(watched == nullptr);
-    }
-
-    /// Panels that it brings to the front must not stay bright, nor cover what it says.
-    void theTourLiesOverAllPanels()
-    {
-        action("tour")->trigger();
-        auto* tour = find<Tour>("tour");
-        QTRY_VERIFY(tour->isVisible());
-        const auto isOfTour = [&](QPoint place) {
-            const QWidget* there = m_window->childAt(place);
-            return there == tour || (there != nullptr && tour->isAncestorOf(there));
-        };
-        for (int step = 0; step < 6; ++step) {
-            QTest::qWait(100); // panels are laid out later
-            QCOMPARE(tour->step(), step);
-            for (const char* name : {"modelDock", "propertiesDock", "timelineDock"}) {
-                const QWidget* dock = find<QDockWidget>(name);
-                QVERIFY2(isOfTour(dock->mapTo(m_window.get(), dock->rect().center())), name);
-            }
-            const QWidget* text = tour->findChild<QLabel*>("tourText");
-            QVERIFY(isOfTour(text->mapTo(m_window.get(), text->rect().center())));
-            press(tour, Qt::Key_Right);
-        }
-        QTRY_VERIFY(find<Tour>("tour") == nullptr);
-    }
-
-    void theTourIsOfferedOnce()
-    {
-        m_window->features().help->offerTour();
-        QTRY_VERIFY(find<Tour>("tour") != nullptr);
-        find<Tour>("tour")->close();
-        QTRY_VERIFY(find<Tour>("tour") == nullptr);
-        m_window->features().help->offerTour();
-        QTest::qWait(100);
-        QVERIFY(find<Tour>("tour") == nullptr);
-    }
+    // --- about ----------------------------------------------------------------------------------------------------------
 
     void aboutNamesWhatKneadIsMadeWith()
     {

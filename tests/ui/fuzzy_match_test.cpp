@@ -80,6 +80,18 @@ private slots:
             }
         }
     }
+
+    void wordsFitByTheirBeginning()
+    {
+        QVERIFY(wordMatch("view", "rotate view"));
+        QVERIFY(wordMatch("Rotate V", "rotate view"));
+        QVERIFY(wordMatch("ecran", "capture d'écran"));
+        QVERIFY(!wordMatch("ate", "rotate view"));
+        QVERIFY(!wordMatch("rv", "rotate view"));
+        QVERIFY(!wordMatch("", "rotate view"));
+        QVERIFY(wordMatch("view", "view here")->score > wordMatch("view", "see a view")->score); // it begins with it
+        QCOMPARE(wordMatch("view", "rotate view")->hits, (QList<qsizetype>{7, 8, 9, 10}));
+    }
 };
 
 QTEST_APPLESS_MAIN(FuzzyMatchTest)

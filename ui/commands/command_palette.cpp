@@ -2,6 +2,7 @@
 
 #include "ui/commands/availability.h"
 #include "ui/commands/fuzzy_match.h"
+#include "ui/commands/synonyms.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -110,26 +111,54 @@ struct Ranked {
     const ListedAction* one;
     int rank;
     QList<qsizetype> hits;
+    QString synonym; ///< by which it was found; empty: by its text or its menu
 };
 
-/// By its text; by menu and text together, it counts less. What can be done comes before what cannot, and a tool or a command before
-/// a file that is called like it: "plate" is the tool for the part that is open, not the example in place of it.
+struct SynonymMatch {
+    int score = 0;
+    QString word;
+};
+
+/// The synonym that fits best. One that was typed as a whole is what is meant.
+std::optional<SynonymMatch> bestSynonym(const QString& wanted, const QString& action)
+{
+    constexpr qsizetype fewest = 2; // letters, so that not everything is found by one
+    constexpr int whole = 8;
+    if (wanted.trimmed().size() < fewest)
+        return std::nullopt;
+    std::optional<SynonymMatch> best;
+    for (const QString& word : synonymsOf(action))
+        if (const std::optional<FuzzyMatch> match = wordMatch(wanted, word)) {
+            const int score = match->score + (match->hits.size() == word.size() ? whole : 0);
+            if (!best || score > best->score)
+                best = SynonymMatch{score, word};
+        }
+    return best;
+}
+
+/// By its text; else by a synonym, or by menu and text together, which counts less. What can be done comes before what cannot, and a
+/// tool or a command before a file that is called like it: "plate" is the tool for the part that is open, not the example in place of it.
 std::optional<Ranked> rank(const ListedAction& one, const QString& wanted, qsizetype lastDone)
 {
     constexpr int ownText = 20;
+    constexpr int ownSynonym = 10;
     constexpr int doneLately = 12;
     constexpr int ofFile = -4;
-    std::optional<FuzzyMatch> match = fuzzyMatch(wanted, one.text);
-    const bool isOwn = match.has_value();
-    if (!match)
-        match = fuzzyMatch(wanted, one.menu + ' ' + one.text);
-    if (!match)
-        return std::nullopt;
     const int lately = lastDone < 0 ? 0 : std::max(1, doneLately - static_cast<int>(lastDone));
-    const int able = one.action->isEnabled() ? ownText : 0;
     const int file = one.action->property(opensFile).toBool() ? ofFile : 0;
-    return Ranked{&one, match->score + lately + able + file + (isOwn ? ownText : 0),
-                  isOwn ? match->hits : QList<qsizetype>{}};
+    const int besides = lately + file + (one.action->isEnabled() ? ownText : 0);
+    std::optional<Ranked> best;
+    const auto offer = [&](int score, const QList<qsizetype>& hits, const QString& synonym) {
+        if (!best || score + besides > best->rank)
+            best = Ranked{&one, score + besides, hits, synonym};
+    };
+    if (const std::optional<FuzzyMatch> own = fuzzyMatch(wanted, one.text))
+        offer(own->score + ownText, own->hits, {});
+    else if (const std::optional<FuzzyMatch> inMenu = fuzzyMatch(wanted, one.menu + ' ' + one.text))
+        offer(inMenu->score, {}, {});
+    if (const std::optional<SynonymMatch> synonym = bestSynonym(wanted, one.action->objectName()))
+        offer(synonym->score + ownSynonym, {}, synonym->word);
+    return best;
 }
 
 } // namespace
@@ -200,7 +229,7 @@ void CommandPalette::list(const QString& wanted)
     m_list->clear();
     m_shown.clear();
     for (const Ranked& ranked : found)
-        addRow(*ranked.one, ranked.hits);
+        addRow(*ranked.one, ranked.hits, ranked.synonym);
     m_list->setCurrentRow(0);
     place();
     if (found.empty()) {
@@ -209,7 +238,7 @@ void CommandPalette::list(const QString& wanted)
     }
 }
 
-void CommandPalette::addRow(const ListedAction& one, const QList<qsizetype>& hits)
+void CommandPalette::addRow(const ListedAction& one, const QList<qsizetype>& hits, const QString& synonym)
 {
     const QAction& action = *one.action;
     QString why;
@@ -221,7 +250,7 @@ void CommandPalette::addRow(const ListedAction& one, const QList<qsizetype>& hit
     QVariantList letters;
     for (const qsizetype hit : hits)
         letters << QVariant::fromValue(hit);
-    item->setData(MenuRole, one.menu);
+    item->setData(MenuRole, synonym.isEmpty() ? one.menu : QStringLiteral("%1 (%2)").arg(one.menu, synonym));
     item->setData(KeysRole, QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText));
     item->setData(WhyRole, why);
     item->setData(HitsRole, letters);

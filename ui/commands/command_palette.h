@@ -12,8 +12,9 @@ class QListWidget;
 
 namespace knead {
 
-/// Finds any action by a few of its letters and does it: a field with a list below, over the top of the window. Arrows choose,
-/// Enter does it, Esc or a click elsewhere closes. Actions that are off now are shown grey with the reason, and stay off.
+/// Finds any action by a few of its letters, or by what else it is called, and does it: a field with a list below, over the
+/// top of the window. Arrows choose, Enter does it, Esc or a click elsewhere closes. Actions that are off now are shown grey with
+/// the reason, and stay off.
 class CommandPalette final : public QFrame {
     Q_OBJECT
 public:
@@ -30,7 +31,7 @@ protected:
 
 private:
     void list(const QString& wanted);
-    void addRow(const ListedAction& one, const QList<qsizetype>& hits);
+    void addRow(const ListedAction& one, const QList<qsizetype>& hits, const QString& synonym);
     void place();
     void step(int rows);
     void doCurrent();

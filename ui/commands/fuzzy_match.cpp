@@ -1,6 +1,7 @@
 #include "ui/commands/fuzzy_match.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -93,6 +94,28 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text
         match.hits.prepend(static_cast<qsizetype>(place));
     match.score -= static_cast<int>(text.size()) / 8; // short texts say it better
     return match;
+}
+
+std::optional<FuzzyMatch> wordMatch(const QString& pattern, const QString& text)
+{
+    const std::vector<QChar> letters = plain(pattern.trimmed());
+    const std::vector<QChar> all = plain(text);
+    if (letters.empty())
+        return std::nullopt;
+    for (auto at = all.begin();; ++at) {
+        at = std::search(at, all.end(), letters.begin(), letters.end());
+        if (at == all.end())
+            return std::nullopt;
+        if (at != all.begin() && std::prev(at)->isLetterOrNumber())
+            continue;
+        const auto count = static_cast<int>(letters.size());
+        const int start = at == all.begin() ? startScore : 0;
+        FuzzyMatch match{count * letterScore + (count - 1) * sideBySideScore + wordScore + start, {}};
+        for (int i = 0; i < count; ++i)
+            match.hits << at - all.begin() + i;
+        match.score -= static_cast<int>(text.size()) / 8;
+        return match;
+    }
 }
 
 } // namespace knead

@@ -17,4 +17,9 @@ struct FuzzyMatch {
 /// @return none when a letter is missing; an empty pattern fits everything
 std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text);
 
+/// The same where a word of the text begins with all of the pattern: for words that are not shown, of which none should fit
+/// by chance.
+/// @return none also for an empty pattern
+std::optional<FuzzyMatch> wordMatch(const QString& pattern, const QString& text);
+
 } // namespace knead

@@ -203,6 +203,7 @@ void MainWindow::makeFeatures()
     showPlacesOfReports();
     m_timeline->addButton(f.recording->actions().video);
     connect(&m_center->home(), &HomePage::openClicked, this, [this] { m_features->imports->askForFile(false); });
+    connect(&m_center->home(), &HomePage::tryClicked, f.help, &HelpFeature::beginTour);
     connect(&f.measuring->measuring(), &Measuring::promptChanged, this, &MainWindow::showHint);
     connect(&f.hands->hands(), &Hands::modeChanged, this, &MainWindow::showHint);
     m_selectionBar = f.selection->newBar(m_center);
@@ -226,7 +227,8 @@ void MainWindow::makeMenus()
 {
     const MenuSources sources{*m_actions, *m_features, *m_display, *m_timeline};
     QMenu* panels = fillMenuBar(*this, sources);
-    m_features->help->setToolBar(makeToolBar(*this, sources));
+    const Features& f = *m_features;
+    f.help->setPlaces({*f.imports, *f.exports, f.hands->hands(), makeToolBar(*this, sources), *m_sculptBar, banner()});
     listPanels(*this, *panels, {m_selectionBar, m_sculptBar}, *m_actions);
 }
 

@@ -57,16 +57,52 @@ qsizetype hitsIn(const Page& page, const QString& wanted)
     return hits;
 }
 
-QString pageOfDock(const QString& dock)
+QString pageOfPlace(const QString& name)
 {
     static const QHash<QString, QString> pageOf{
-        {"modelDock", "selecting"},   {"historyDock", "history"},   {"simulationDock", "speed"},
-        {"propertiesDock", "hands"},  {"displayDock", "seeing"},    {"handsDock", "hands"},
-        {"timelineDock", "history"},  {"importDock", "opening"},    {"exportDock", "exporting"},
-        {"performanceDock", "speed"}, {"measureDock", "measuring"}, {"probeDock", "measuring"},
+        // panels; that of the properties goes by what is selected
+        {"modelDock", "selecting"},
+        {"historyDock", "history"},
+        {"simulationDock", "measuring"},
+        {"displayDock", "seeing"},
+        {"handsDock", "hands"},
+        {"timelineDock", "history"},
+        {"logDock", "seeing"},
+        {"importDock", "opening"},
+        {"exportDock", "exporting"},
+        {"performanceDock", "speed"},
+        {"measureDock", "measuring"},
+        {"probeDock", "measuring"},
         {"forcesDock", "hands"},
+        {"sculptBar", "hands"},
+        {"selectionBar", "selecting"},
+        {"homePage", "opening"},
+        // dialogs
+        {"importDialog", "opening"},
+        {"openDialog", "opening"},
+        {"addPartDialog", "opening"},
+        {"exportDialog", "exporting"},
+        {"exportFileDialog", "exporting"},
+        {"recipeDialog", "recipes"},
+        {"preferencesDialog", "preferences"},
+        {"recordDialog", "history"},
+        {"recordFileDialog", "history"},
+        {"pictureDialog", "seeing"},
+        {"pictureFileDialog", "seeing"},
+        {"comparisonDialog", "measuring"},
+        {"materialComparison", "measuring"},
+        {"materialNameDialog", "measuring"},
+        {"textFileDialog", "measuring"},
+        {"partColorDialog", "selecting"},
+        {"saveDialog", "keeping"},
+        {"saveQuestion", "keeping"},
+        {"recoveryDialog", "keeping"},
+        {"discardBox", "keeping"},
+        {"missingBox", "keeping"},
+        {"controlsBox", "keys"},
+        {"aboutBox", "construction"},
     };
-    return pageOf.value(dock, "keys");
+    return pageOf.value(name);
 }
 
 } // namespace knead::handbook

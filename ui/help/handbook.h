@@ -26,8 +26,9 @@ const Page* pageNamed(const QString& name);
 /// How often a page has words: those of `wanted`, each of which it must have.
 qsizetype hitsIn(const Page& page, const QString& wanted);
 
-/// The page on what a panel is for. @param dock its name as an object; empty: none
-QString pageOfDock(const QString& dock);
+/// The page that is about a panel, a dialog or the first page. @param name of it as an object
+/// @return empty: there is none about that
+QString pageOfPlace(const QString& name);
 
 } // namespace handbook
 

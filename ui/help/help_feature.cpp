@@ -2,32 +2,61 @@
 
 #include "ui/commands/make_action.h"
 #include "ui/dialogs/about_dialog.h"
+#include "ui/exporting/export_feature.h"
 #include "ui/help/handbook.h"
 #include "ui/help/handbook_window.h"
-#include "ui/help/tour.h"
+#include "ui/help/tour_steps.h"
+#include "ui/importing/import_feature.h"
+#include "ui/interaction/hands.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QKeyEvent>
+#include <QKeySequenceEdit>
 #include <QMainWindow>
 #include <QMessageBox>
-#include <QSettings>
-#include <QTimer>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace knead {
 
 namespace {
 
-constexpr const char* tourSeen = "tour/seen";
+constexpr const char* tourPart = "lump.step";
+constexpr const char* tourMaterial = "modeling-clay";
+constexpr double tourRadius = 0.13;  // of a thumb, in sizes of the part: as a large one of a fist of clay
+constexpr double tourStrength = 2.5; // so that a dent is seen after half a second
+
+/// Other than QWidget::isAncestorOf(): also of what is a window of its own.
+bool belongsTo(const QWidget& window, const QWidget* widget)
+{
+    while (widget != nullptr && widget != &window)
+        widget = widget->parentWidget();
+    return widget != nullptr;
+}
+
+/// A key that is to be given to a command does nothing else.
+bool takesAnyKey(const QWidget* widget)
+{
+    for (; widget != nullptr; widget = widget->parentWidget())
+        if (qobject_cast<const QKeySequenceEdit*>(widget) != nullptr)
+            return true;
+    return false;
+}
 
 } // namespace
 
 HelpFeature::Actions::Actions(QWidget& window)
     : handbook(makeAction(window, {"handbook", QT_TRANSLATE_NOOP("Actions", "&Handbook"), nullptr, "F1",
                                    QT_TRANSLATE_NOOP("Actions", "At the page of what one does")}))
-    , tour(makeAction(window, {"tour", QT_TRANSLATE_NOOP("Actions", "&Tour of the window"), nullptr, "",
-                               QT_TRANSLATE_NOOP("Actions", "What is where, in a minute")}))
+    , tour(makeAction(window, {"tour", QT_TRANSLATE_NOOP("Actions", "&Tour on a block of clay"), nullptr, "",
+                               QT_TRANSLATE_NOOP("Actions", "Press it, pull it, export it: in two minutes")}))
     , controls(makeAction(window, {"controls", QT_TRANSLATE_NOOP("Actions", "Mouse and keys")}))
     , about(makeAction(window, {"about", QT_TRANSLATE_NOOP("Actions", "About Knead")}))
 {
@@ -38,42 +67,125 @@ HelpFeature::HelpFeature(const Workbench& bench)
     , m_bench(bench)
     , m_actions(bench.window)
 {
-    connect(m_actions.handbook, &QAction::triggered, this, &HelpFeature::showHandbook);
-    connect(m_actions.tour, &QAction::triggered, this, &HelpFeature::showTour);
+    connect(m_actions.handbook, &QAction::triggered, this, [this] {
+        const QWidget* at = QApplication::focusWidget();
+        openHandbookAt(at != nullptr ? at : QApplication::activeWindow());
+    });
+    connect(m_actions.tour, &QAction::triggered, this, &HelpFeature::beginTour);
     connect(m_actions.controls, &QAction::triggered, this, &HelpFeature::showControls);
     connect(m_actions.about, &QAction::triggered, this, &HelpFeature::showAbout);
+    connect(&bench.document, &Document::changed, this, &HelpFeature::followDocument);
+    qApp->installEventFilter(this);
 }
 
 HelpFeature::~HelpFeature()
 {
+    if (m_tour != nullptr)
+        m_tour->close(); // what it chose is as it was
     delete m_tour;
 }
 
-/// At the page of the panel that has the keyboard.
-void HelpFeature::showHandbook()
+/// Keys of the window do not reach its dialogs, so the one of the handbook is looked for there.
+bool HelpFeature::eventFilter(QObject* watched, QEvent* event)
 {
-    QString dock;
-    for (const QWidget* at = QApplication::focusWidget(); at != nullptr && dock.isEmpty(); at = at->parentWidget())
-        if (qobject_cast<const QDockWidget*>(at) != nullptr)
-            dock = at->objectName();
+    if (event->type() != QEvent::KeyPress)
+        return false;
+    const auto* widget = qobject_cast<const QWidget*>(watched);
+    if (widget == nullptr || widget->window() == &m_bench.window || takesAnyKey(widget))
+        return false;
+    const auto* dialog = qobject_cast<const QDialog*>(widget->window());
+    if (dialog == nullptr || dialog == m_handbook || !belongsTo(m_bench.window, dialog) ||
+        !m_actions.handbook->shortcuts().contains(QKeySequence(static_cast<const QKeyEvent*>(event)->keyCombination())))
+        return false;
+    openHandbookAt(widget);
+    return true;
+}
+
+/// Where the keyboard is, the innermost thing that a page is about; in the view, what the mouse does there.
+QString HelpFeature::pageAt(const QWidget* place) const
+{
+    for (const QWidget* at = place; at != nullptr; at = at->parentWidget()) {
+        if (at->objectName() == QLatin1String("propertiesDock"))
+            return m_bench.document.selection().kind == Selection::Kind::Tool   ? "hands"
+                   : m_bench.document.selection().kind == Selection::Kind::Body ? "measuring"
+                                                                                : "selecting";
+        if (const QString page = handbook::pageOfPlace(at->objectName()); !page.isEmpty())
+            return page;
+    }
+    const QList<QAction*> modes = m_places ? m_places->hands.modes() : QList<QAction*>();
+    if (std::ranges::any_of(modes, &QAction::isChecked))
+        return "hands";
+    return m_bench.viewport.hasMode() ? "measuring" : "keys";
+}
+
+/// Over a dialog that keeps the window waiting it belongs to that, else it would wait, too.
+void HelpFeature::openHandbookAt(const QWidget* place)
+{
+    QWidget* owner = &m_bench.window;
+    auto* dialog = place != nullptr ? qobject_cast<QDialog*>(place->window()) : nullptr;
+    if (dialog != nullptr && dialog->isModal())
+        owner = dialog;
     if (m_handbook == nullptr)
-        m_handbook = new HandbookWindow(&m_bench.window);
-    m_handbook->open(handbook::pageOfDock(dock));
+        m_handbook = new HandbookWindow(owner);
+    else if (m_handbook->parentWidget() != owner)
+        m_handbook->setParent(owner, m_handbook->windowFlags());
+    if (owner == dialog)
+        connect(dialog, &QDialog::finished, m_handbook, [this] {
+            const bool wasShown = m_handbook->isVisible();
+            m_handbook->setParent(&m_bench.window, m_handbook->windowFlags());
+            m_handbook->setVisible(wasShown);
+        });
+    m_handbook->open(pageAt(place));
 }
 
-/// At the first start.
-void HelpFeature::offerTour()
+void HelpFeature::beginTour()
 {
-    if (!QSettings().value(tourSeen).toBool())
-        QTimer::singleShot(0, this, &HelpFeature::showTour);
+    const QString part = QDir(QString::fromStdString(m_bench.services.examplesFolder)).filePath(tourPart);
+    m_places->imports.openOf(tourMaterial, part, [this] { showTour(); });
 }
 
+/// On what was just opened.
 void HelpFeature::showTour()
 {
-    QSettings().setValue(tourSeen, true);
-    if (m_tour == nullptr)
-        m_tour = new Tour(m_bench.window, windowTour(m_bench, *m_toolBar));
+    if (m_tour != nullptr)
+        m_tour->close();
+    const TourSources sources{m_bench,           m_places->hands,   *m_places->exports.action(),
+                              m_places->toolBar, m_places->brushes, m_places->banner};
+    m_tour = new Tour(m_bench.window, claySteps(sources), m_bench.viewport);
+    connect(m_tour, &Tour::ended, this, &HelpFeature::endTour);
+    HandSettings& settings = m_places->hands.settings();
+    HandChoices choices = settings.choices();
+    m_strengthBefore = choices.sculptStrength;
+    choices.sculptStrength = tourStrength;
+    choices.sculptRadius = tourRadius * m_bench.document.size();
+    settings.set(choices);
     m_tour->begin();
+}
+
+/// What was chosen for it is as it was, unless the person chose otherwise meanwhile.
+void HelpFeature::endTour()
+{
+    HandSettings& settings = m_places->hands.settings();
+    HandChoices choices = settings.choices();
+    if (choices.sculptStrength == tourStrength)
+        choices.sculptStrength = m_strengthBefore;
+    if (choices.sculptRadius == tourRadius * m_bench.document.size())
+        choices.sculptRadius = 0; // goes by the part
+    settings.set(choices);
+    if (const QWidget* at = QApplication::focusWidget(); at != nullptr && m_tour->isAncestorOf(at))
+        m_bench.viewport.setFocus();
+}
+
+/// Another part is not the tour's.
+void HelpFeature::followDocument(Document::Change what)
+{
+    if (what == Document::Change::Frame && m_tour != nullptr)
+        m_tour->look(); // what was done may be over soon
+    if (what == Document::Change::Model && m_tour != nullptr) {
+        const std::vector<std::string>& paths = m_bench.document.content().request.paths;
+        if (paths.size() != 1 || !QFile::decodeName(paths.front().c_str()).endsWith(tourPart))
+            m_tour->close();
+    }
 }
 
 void HelpFeature::showAbout()

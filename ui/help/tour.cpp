@@ -1,257 +1,279 @@
 #include "ui/help/tour.h"
 
-#include "ui/frame/docks.h"
-#include "ui/frame/workbench.h"
 #include "ui/theme.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPushButton>
+#include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <string_view>
+#include <iterator>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
-constexpr int cardWidth = 340;
-constexpr int cardGap = 14;   // between the place and the card [pixels]
-constexpr int frameRim = 5;   // around the place
-constexpr int darkness = 150; // of 255
+constexpr int tourWidth = 320;
+constexpr int tourGap = 14;           // between the place and the card, and to the rim of the window [pixels]
+constexpr int ringRim = 5;            // between the place and the ring [pixels]
+constexpr int tourLookInterval = 120; // [ms]
+constexpr int tourGoOnDelay = 900;    // to be seen that it was noticed [ms]
+
+qint64 areaOf(const QRect& rect)
+{
+    return rect.isEmpty() ? 0 : qint64(rect.width()) * rect.height();
+}
 
 } // namespace
 
-Tour::Tour(QMainWindow& window, std::vector<Step> steps)
-    : QWidget(&window)
+/// Around what is to be clicked; the mouse does not know of it.
+class Tour::Ring final : public QWidget {
+public:
+    explicit Ring(QWidget* parent)
+        : QWidget(parent)
+    {
+        setObjectName("tourRing");
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::NoFocus);
+        hide();
+    }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const QRectF line = QRectF(rect()).adjusted(2, 2, -2, -2);
+        painter.setPen(QPen(palette().color(QPalette::Base), 4)); // seen on dark and on light
+        painter.drawRoundedRect(line, 8, 8);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawRoundedRect(line, 8, 8);
+    }
+};
+
+Tour::Tour(QMainWindow& window, std::vector<Step> steps, QWidget& beside)
+    : QFrame(&window)
     , m_window(window)
     , m_steps(std::move(steps))
-    , m_card(new QWidget(this))
+    , m_ring(new Ring(&window))
+    , m_looking(new QTimer(this))
+    , m_goingOn(new QTimer(this))
 {
     setObjectName("tour");
     setAttribute(Qt::WA_DeleteOnClose);
-    setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Tour of the window"));
-    makeCard();
-    window.installEventFilter(this);
+    setAttribute(Qt::WA_StyledBackground);
+    setFixedWidth(withText(tourWidth));
+    makeCard(beside);
+    m_looking->setInterval(tourLookInterval);
+    m_goingOn->setSingleShot(true);
+    m_goingOn->setInterval(tourGoOnDelay);
+    connect(m_looking, &QTimer::timeout, this, &Tour::look);
+    connect(m_goingOn, &QTimer::timeout, this, [this] { go(m_step + 1); });
     hide();
 }
 
-void Tour::makeCard()
+Tour::~Tour()
 {
-    m_card->setObjectName("tourCard");
-    m_card->setAttribute(Qt::WA_StyledBackground);
-    m_card->setFixedWidth(withText(cardWidth));
-    m_title = new QLabel(m_card);
+    delete m_ring;
+}
+
+void Tour::makeCard(QWidget& beside)
+{
+    m_title = new QLabel(this);
     m_title->setObjectName("tourTitle");
     m_title->setProperty("role", "title");
-    m_text = new QLabel(m_card);
+    m_text = new QLabel(this);
     m_text->setObjectName("tourText");
     m_text->setWordWrap(true);
-    m_count = new QLabel(m_card);
+    m_count = new QLabel(this);
     m_count->setProperty("role", "dimmed");
-    auto* skip = new QPushButton(tr("End tour"), m_card);
-    skip->setObjectName("tourSkip");
-    m_back = new QPushButton(tr("Back"), m_card);
+    m_back = new QPushButton(tr("Back"), this);
     m_back->setObjectName("tourBack");
-    m_next = new QPushButton(m_card);
-    m_next->setObjectName("tourNext");
-    m_next->setProperty("role", "primary");
-    for (QPushButton* button : {skip, m_back, m_next})
-        button->setFocusPolicy(Qt::NoFocus); // the keys are the tour's
-    auto* column = new QVBoxLayout(m_card);
-    column->setContentsMargins(18, 16, 18, 14);
+    m_skip = new QPushButton(tr("Skip"), this);
+    m_skip->setObjectName("tourSkip");
+    m_skip->setToolTip(tr("Go on without doing this"));
+    m_end = new QPushButton(tr("End"), this);
+    m_end->setObjectName("tourEnd");
+    m_end->setToolTip(tr("End the tour; the part stays open"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(18, 14, 18, 12);
     column->setSpacing(8);
     column->addWidget(m_title);
     column->addWidget(m_text);
     auto* row = new QHBoxLayout;
     row->addWidget(m_count);
     row->addStretch();
-    row->addWidget(skip);
-    row->addWidget(m_back);
-    row->addWidget(m_next);
-    column->addSpacing(6);
+    for (QPushButton* button : {m_back, m_skip, m_end}) {
+        button->setAutoDefault(false);
+        row->addWidget(button);
+    }
     column->addLayout(row);
-    connect(skip, &QPushButton::clicked, this, &QWidget::close);
+    setTabOrder(&beside, m_back);
+    setTabOrder(m_back, m_skip);
+    setTabOrder(m_skip, m_end);
     connect(m_back, &QPushButton::clicked, this, [this] { go(m_step - 1); });
-    connect(m_next, &QPushButton::clicked, this, [this] { go(m_step + 1); });
+    connect(m_skip, &QPushButton::clicked, this, [this] { go(m_step + 1); });
+    connect(m_end, &QPushButton::clicked, this, &QWidget::close);
 }
 
 void Tour::begin()
 {
-    m_focusBefore = QApplication::focusWidget();
-    setGeometry(m_window.rect());
     show();
-    raise();
-    setFocus();
+    m_looking->start();
     go(0);
 }
 
 /// After the last step it ends.
 void Tour::go(int step)
 {
+    m_goingOn->stop();
     if (step >= static_cast<int>(m_steps.size())) {
         close();
         return;
     }
     m_step = std::max(step, 0);
-    const Step& now = m_steps[static_cast<std::size_t>(m_step)];
-    m_place = now.place ? now.place() : nullptr;
-    raise(); // a panel that was brought to the front lies above all else, the tour included
-    m_title->setText(now.title);
-    m_text->setText(now.text);
-    m_count->setText(tr("%1 of %2").arg(m_step + 1).arg(m_steps.size()));
+    m_isDone = false;
+    if (now().begin)
+        now().begin();
+    say();
+    arrange(true);
+}
+
+void Tour::say()
+{
+    const bool isLast = m_step + 1 == static_cast<int>(m_steps.size());
+    const QString title = now().title();
+    m_title->setText(m_isDone ? QStringLiteral("✓ ") + title : title);
+    m_text->setText(now().text());
+    m_count->setText(isLast ? QString() : tr("%1 of %2").arg(m_step + 1).arg(m_steps.size() - 1)); // that are done
+    const QWidget* had = QApplication::focusWidget();
     m_back->setVisible(m_step > 0);
-    m_next->setText(m_step + 1 < static_cast<int>(m_steps.size()) ? tr("Next") : tr("Done"));
-    m_card->adjustSize();
-    m_card->resize(cardWidth,
-                   m_card->heightForWidth(cardWidth) > 0 ? m_card->heightForWidth(cardWidth) : m_card->height());
-    arrange();
+    m_skip->setVisible(!isLast);
+    if (had != nullptr && isAncestorOf(had) && !had->isVisible()) // the keyboard stays on the card
+        (isLast ? m_end : m_skip)->setFocus();
+    setAccessibleName(tr("Tour: %1").arg(title));
+    setAccessibleDescription(m_text->text());
+    layout()->activate();
+    const int height = heightForWidth(tourWidth);
+    resize(tourWidth, height > 0 ? height : sizeHint().height());
+}
+
+void Tour::look()
+{
+    if (!m_isDone && now().isDone && now().isDone()) {
+        m_isDone = true;
+        say();
+        m_goingOn->start();
+    }
+    arrange(false);
 }
 
 QRect Tour::spot() const
 {
-    if (m_place == nullptr || !m_place->isVisible())
-        return {};
-    const QRect place(m_place->mapTo(&m_window, QPoint(0, 0)), m_place->size());
-    return place.adjusted(-frameRim, -frameRim, frameRim, frameRim).intersected(rect());
+    const QRect place = now().place ? now().place() : QRect();
+    return place.isEmpty() ? QRect()
+                           : place.adjusted(-ringRim, -ringRim, ringRim, ringRim).intersected(m_window.rect());
 }
 
-/// The card goes where there is room: right of the place, left, below, above; else into the middle.
-void Tour::arrange()
+/// So much of what should be seen or clicked a card would hide; of what is pointed at, nothing may be [pixels].
+qint64 Tour::covered(const QRect& card) const
 {
-    setGeometry(m_window.rect());
+    constexpr int never = 1000;
+    qint64 most = never * areaOf(card.intersected(spot()));
+    if (now().uncovered)
+        for (const QRect& free : now().uncovered())
+            most += areaOf(card.intersected(free));
+    return most;
+}
+
+/// Right of the place, left, below, above, else in a corner of the middle of the window or of the window: the first that covers
+/// least.
+QPoint Tour::cornerBeside(const QRect& place) const
+{
+    const int below = m_window.statusBar()->height() + tourGap / 2; // what it says is to be read
+    const QRect room = m_window.rect().adjusted(tourGap, tourGap, -tourGap, -below);
+    const auto within = [&](int x, int y) {
+        return QPoint(std::clamp(x, room.left(), std::max(room.left(), room.right() - width())),
+                      std::clamp(y, room.top(), std::max(room.top(), room.bottom() - height())));
+    };
+    const QWidget* center = m_window.centralWidget();
+    const QRect views(center->mapTo(&m_window, QPoint(0, 0)), center->size());
+    const int x = place.center().x() - width() / 2;
+    const int y = place.center().y() - height() / 2;
+    QList<QPoint> corners;
+    if (!place.isEmpty())
+        corners << within(place.right() + tourGap, y) << within(place.left() - tourGap - width(), y)
+                << within(x, place.bottom() + tourGap) << within(x, place.top() - tourGap - height());
+    for (const QRect& area : {views.adjusted(tourGap, tourGap, -tourGap, -tourGap), room})
+        for (const int left : {area.right() - width(), area.left()})
+            for (const int top : {area.bottom() - height(), area.top()})
+                corners << within(left, top);
+    return *std::ranges::min_element(corners, {}, [&](const QPoint& corner) { return covered(QRect(corner, size())); });
+}
+
+/// The card stays where it is as long as it is in nobody's way there.
+void Tour::arrange(bool isNew)
+{
     const QRect place = spot();
-    const QSize size = m_card->size();
-    const int y = std::clamp(place.center().y() - size.height() / 2, cardGap,
-                             std::max(cardGap, height() - size.height() - cardGap));
-    const int x =
-        std::clamp(place.center().x() - size.width() / 2, cardGap, std::max(cardGap, width() - size.width() - cardGap));
-    QPoint corner = rect().center() - QPoint(size.width() / 2, size.height() / 2);
-    if (!place.isEmpty()) {
-        if (place.right() + 2 * cardGap + size.width() < width())
-            corner = {place.right() + cardGap, y};
-        else if (place.left() - 2 * cardGap - size.width() > 0)
-            corner = {place.left() - cardGap - size.width(), y};
-        else if (place.bottom() + 2 * cardGap + size.height() < height())
-            corner = {x, place.bottom() + cardGap};
-        else if (place.top() - 2 * cardGap - size.height() > 0)
-            corner = {x, place.top() - cardGap - size.height()};
+    if (isNew || covered(geometry()) > 0)
+        move(cornerBeside(place));
+    if (m_ring->geometry() != place)
+        m_ring->setGeometry(place);
+    m_ring->setVisible(!place.isEmpty());
+    if (isNew) { // a panel that was brought to the front lies above all else
+        m_ring->raise();
+        raise();
     }
-    m_card->move(corner);
-    update();
 }
 
-bool Tour::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == &m_window && event->type() == QEvent::Resize && isVisible())
-        arrange();
-    return QWidget::eventFilter(watched, event);
-}
-
-/// No key is the window's meanwhile.
+/// Where the card has the keyboard, keys of its buttons are not the window's: Space would let time run.
 bool Tour::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        event->accept();
-        return true;
+        constexpr int own[] = {Qt::Key_Escape, Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter};
+        if (std::ranges::find(own, static_cast<QKeyEvent*>(event)->key()) != std::end(own)) {
+            event->accept();
+            return true;
+        }
     }
-    return QWidget::event(event);
+    return QFrame::event(event);
 }
 
-void Tour::paintEvent(QPaintEvent* /*event*/)
+void Tour::changeEvent(QEvent* event)
 {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath dark;
-    dark.addRect(rect());
-    const QRect place = spot();
-    QPainterPath bright;
-    if (!place.isEmpty())
-        bright.addRoundedRect(place, 8, 8);
-    painter.fillPath(dark.subtracted(bright), QColor(0, 0, 0, darkness));
-    painter.strokePath(bright, QPen(palette().color(QPalette::Highlight), 2));
+    if (event->type() == QEvent::LanguageChange && isVisible()) {
+        say();
+        arrange(true);
+    }
+    QFrame::changeEvent(event);
 }
 
 void Tour::keyPressEvent(QKeyEvent* event)
 {
-    switch (event->key()) {
-    case Qt::Key_Escape:
+    auto* button = qobject_cast<QPushButton*>(focusWidget());
+    if (event->key() == Qt::Key_Escape)
         close();
-        break;
-    case Qt::Key_Left:
-    case Qt::Key_Backspace:
-        go(m_step - 1);
-        break;
-    case Qt::Key_Right:
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-    case Qt::Key_Space:
-        go(m_step + 1);
-        break;
-    default:
-        break;
-    }
+    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && button != nullptr)
+        button->click();
+    else
+        QFrame::keyPressEvent(event);
 }
 
-/// A click beside the card does nothing, so that nothing is done by accident.
-void Tour::mousePressEvent(QMouseEvent* event)
+void Tour::closeEvent(QCloseEvent* event)
 {
-    event->accept();
-}
-
-void Tour::hideEvent(QHideEvent* event)
-{
-    if (m_focusBefore != nullptr)
-        m_focusBefore->setFocus();
+    m_looking->stop();
+    m_goingOn->stop();
+    m_ring->hide();
     emit ended();
-    QWidget::hideEvent(event);
-}
-
-std::vector<Tour::Step> windowTour(const Workbench& bench, QWidget& toolBar)
-{
-    const auto dock = [&docks = bench.docks](std::string_view name) {
-        return [&docks, name]() -> QWidget* {
-            docks.show(name);
-            return &docks.of(name);
-        };
-    };
-    QMainWindow& window = bench.window;
-    return {
-        {Tour::tr("Open a part"),
-         Tour::tr(
-             "Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material "
-             "at once."),
-         [&window] { return window.centralWidget(); }},
-        {Tour::tr("What there is"),
-         Tour::tr(
-             "Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too."),
-         dock("modelDock")},
-        {Tour::tr("What it is made of"),
-         Tour::tr(
-             "Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while "
-             "time runs."),
-         dock("propertiesDock")},
-        {Tour::tr("Hold, push, run"),
-         Tour::tr("X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button "
-                  "or drive "
-                  "it with the arrow keys; the middle button turns the view."),
-         [&toolBar] { return &toolBar; }},
-        {Tour::tr("Back and forth in time"),
-         Tour::tr("Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included."),
-         dock("timelineDock")},
-        {Tour::tr("Everything else"),
-         Tour::tr(
-             "Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, "
-             "and the menu Help repeats this tour."),
-         [&window] { return window.menuWidget(); }}};
+    QFrame::closeEvent(event);
 }
 
 } // namespace knead

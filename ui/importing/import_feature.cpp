@@ -68,38 +68,63 @@ ImportFeature::ImportFeature(const Workbench& bench, ProjectsFeature& projects, 
     connect(&projects, &ProjectsFeature::fileChosen, this, [this](const QString& path) { openInstead({path}); });
 }
 
-void ImportFeature::open(const QStringList& paths)
+/// With what the preferences say.
+ImportChoices ImportFeature::usualChoices(const QStringList& paths) const
 {
-    if (m_projects.opened(paths) || m_recipes.opened(paths))
-        return;
     ImportChoices request;
     const Preferences wanted = readPreferences();
     request.options.relativeDeflection = wanted.detail;
     request.options.timeLimit = 60.0 * wanted.importMinutes;
     request.options.memoryLimit = (1U << 30U) * static_cast<double>(wanted.importGibibytes);
-    qint64 size = 0;
-    for (const QString& path : paths) {
+    for (const QString& path : paths)
         request.paths.push_back(QFile::encodeName(path).toStdString());
+    return request;
+}
+
+void ImportFeature::open(const QStringList& paths)
+{
+    if (m_projects.opened(paths) || m_recipes.opened(paths))
+        return;
+    qint64 size = 0;
+    for (const QString& path : paths)
         size += QFileInfo(path).size();
-    }
     if (size >= largeFile)
         openWithChoices(paths);
     else
-        open(request);
+        open(usualChoices(paths));
 }
 
 void ImportFeature::open(const ImportChoices& request)
 {
+    open(request, startMaterial(m_bench.services.materials), {});
+}
+
+void ImportFeature::openOf(const std::string& preset, const QString& path, std::function<void()> then)
+{
+    const std::vector<MaterialPreset>& all = m_bench.services.materials;
+    const auto found = std::ranges::find(all, preset, &MaterialPreset::id);
+    const Material material = found != all.end() ? found->material : startMaterial(all);
+    m_projects.keeper().letGo(
+        [this, path, material, then = std::move(then)] { open(usualChoices({path}), material, then); });
+}
+
+void ImportFeature::open(const ImportChoices& request, const Material& material, std::function<void()> then)
+{
     if (request.paths.empty() || m_bench.isBusy())
         return;
     m_bench.notices.hide();
-    const auto work = [services = m_bench.services, request, material = startMaterial(m_bench.services.materials)](
-                          TaskControl& control) { return prepareFiles(services.import, request, material, control); };
+    const auto work = [services = m_bench.services, request, material](TaskControl& control) {
+        return prepareFiles(services.import, request, material, control);
+    };
     const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
     const auto others = static_cast<int>(request.paths.size()) - 1;
     m_bench.tasks.run<PreparedModel>(others == 0 ? said(Message("ImportFeature", "Opening %1").with(name.toStdString()))
                                                  : tr("Opening %1 and %n more", nullptr, others).arg(name),
-                                     work, [this](PreparedModel prepared) { m_projects.open(std::move(prepared)); });
+                                     work, [this, then = std::move(then)](PreparedModel prepared) {
+                                         m_projects.open(std::move(prepared));
+                                         if (then)
+                                             then();
+                                     });
 }
 
 void ImportFeature::openWithChoices(const QStringList& paths)

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class QAction;
@@ -40,6 +41,10 @@ public:
     /// sentence and leaves everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
     void open(const ImportChoices& request);
+    /// Opens a file with its parts of another material than usual, once what is not saved may go.
+    /// @param preset of the services' materials; one that is not there: the usual one
+    /// @param then called when it is open
+    void openOf(const std::string& preset, const QString& path, std::function<void()> then);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Once what is not saved may go.
@@ -59,6 +64,8 @@ signals:
     void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
 
 private:
+    ImportChoices usualChoices(const QStringList& paths) const;
+    void open(const ImportChoices& request, const Material& material, std::function<void()> then);
     void askForParts();
     void askForChoices(std::vector<FilePreview> previews);
     void startRefill(double spacing);

@@ -75,6 +75,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     auto* column = new QVBoxLayout;
     column->setSpacing(12);
     column->addWidget(makeWaiting());
+    column->addWidget(makeTrial());
     column->addWidget(makeZone());
     m_recent = new QWidget(page);
     m_recentGrid = makeGrid(m_recent);
@@ -95,6 +96,37 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     listCards();
 }
 
+/// What happens at once: the largest thing on the page.
+QWidget* HomePage::makeTrial()
+{
+    auto* trial = new QFrame(this);
+    trial->setObjectName("trial");
+    trial->setMaximumWidth(pageWidth);
+    trial->setMinimumWidth(std::min(pageWidth, 560));
+    auto* sign = new QLabel(trial);
+    sign->setPixmap(icon("sculpt-thumb").pixmap(QSize(56, 56), devicePixelRatioF()));
+    auto* begin = new QPushButton(tr("Try it"), trial);
+    begin->setObjectName("homeTry");
+    begin->setProperty("role", "primary");
+    begin->setMinimumSize(120, 40);
+    connect(begin, &QPushButton::clicked, this, &HomePage::tryClicked);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(4);
+    words->addStretch();
+    words->addWidget(label(tr("Try it: press a thumb into clay"), "big", trial));
+    words->addWidget(
+        label(tr("A block of clay opens. Hold the left button on it; then pull it, and export it. Two minutes."),
+              "dimmed", trial));
+    words->addStretch();
+    auto* row = new QHBoxLayout(trial);
+    row->setContentsMargins(24, 20, 24, 20);
+    row->setSpacing(20);
+    row->addWidget(sign);
+    row->addLayout(words, 1);
+    row->addWidget(begin);
+    return trial;
+}
+
 /// Where to drop a file, or to open one.
 QWidget* HomePage::makeZone()
 {
@@ -103,21 +135,20 @@ QWidget* HomePage::makeZone()
     m_zone->setMaximumWidth(pageWidth);
     m_zone->setMinimumWidth(std::min(pageWidth, 560));
     auto* sign = new QLabel(m_zone);
-    sign->setPixmap(icon("knead").pixmap(QSize(64, 64), devicePixelRatioF()));
+    sign->setPixmap(icon("knead").pixmap(QSize(40, 40), devicePixelRatioF()));
     auto* open = new QPushButton(tr("Open a file..."), m_zone);
     open->setObjectName("homeOpen");
-    open->setProperty("role", "primary");
     open->setMinimumHeight(34);
     connect(open, &QPushButton::clicked, this, &HomePage::openClicked);
     setFocusProxy(open);
     auto* words = new QVBoxLayout;
     words->setSpacing(4);
     words->addStretch();
-    words->addWidget(label(tr("Drop STEP, IGES, mesh or project files here"), "big", m_zone));
+    words->addWidget(label(tr("Drop STEP, IGES, mesh or project files here"), "title", m_zone));
     words->addWidget(label(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", m_zone));
     words->addStretch();
     auto* row = new QHBoxLayout(m_zone);
-    row->setContentsMargins(24, 22, 24, 22);
+    row->setContentsMargins(24, 12, 24, 12);
     row->setSpacing(20);
     row->addWidget(sign);
     row->addLayout(words, 1);

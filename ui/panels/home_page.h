@@ -10,8 +10,8 @@ class QVBoxLayout;
 
 namespace knead {
 
-/// What the window shows before a part is open: where to drop a file, unsaved work that waits, files of late and examples as
-/// pictures.
+/// What the window shows before a part is open: clay to try at once, where to drop a file, unsaved work that waits, files of late
+/// and examples as pictures.
 class HomePage final : public QScrollArea {
     Q_OBJECT
 public:
@@ -28,6 +28,7 @@ public:
     void showDrop(bool isOver);
 
 signals:
+    void tryClicked(); ///< a thumb is to be pressed into clay
     void openClicked();
     void fileChosen(const QString& path);
     void recoverClicked();
@@ -37,6 +38,7 @@ protected:
 
 private:
     void listCards();
+    QWidget* makeTrial();
     QWidget* makeZone();
     QWidget* makeWaiting();
     void addExamples(QVBoxLayout* column, const QString& folder);
