@@ -10,7 +10,8 @@ using namespace knead;
 
 namespace {
 
-constexpr double coarser = 1.5; // than the recipes: a fourth of the time
+constexpr double coarser = 1.5;            // than the recipes: a fourth of the time
+const std::string asItIs = "bent-bracket"; // steel breaks where it bends in fewer cells
 constexpr int fewestColors = 300;
 constexpr double mostVolumeError = 1e-3;
 const QString folder = KNEAD_RESOURCES "/gallery";
@@ -52,7 +53,8 @@ void GalleryTest::piecesAreSoundAndSmooth()
 {
     QFETCH(int, index);
     const gallery::Piece piece = gallery::read(folder).at(static_cast<std::size_t>(index));
-    m_pieces.push_back(gallery::carryOut(KNEAD_PROGRAM, piece, folder, m_out.path(), coarser));
+    m_pieces.push_back(
+        gallery::carryOut(KNEAD_PROGRAM, piece, folder, m_out.path(), piece.name == asItIs ? 1 : coarser));
     const nlohmann::ordered_json& came = m_pieces.back();
     QVERIFY2(gallery::isGood(came), came.dump().c_str());
     QVERIFY2(std::abs(came.at("volume_error").get<double>()) < mostVolumeError, came.dump().c_str());
@@ -66,6 +68,7 @@ void GalleryTest::piecesAreSoundAndSmooth()
     QVERIFY(before != after);
 }
 
+/// Of what the function before made.
 void GalleryTest::pageShowsAllPieces()
 {
     const QString page = QString::fromStdString(gallery::pageOf(m_pieces));
