@@ -10,11 +10,19 @@ using namespace knead;
 
 namespace {
 
-constexpr double coarser = 1.5;            // than the recipes: a fourth of the time
-const std::string asItIs = "bent-bracket"; // steel breaks where it bends in fewer cells
 constexpr int fewestColors = 300;
 constexpr double mostVolumeError = 1e-3;
 const QString folder = KNEAD_RESOURCES "/gallery";
+
+/// How much coarser the lattice is than that of the recipe: 1.5 takes a fourth of the time.
+double coarserFor(const std::string& name)
+{
+    if (name == "bent-bracket") // steel breaks where it bends in fewer cells
+        return 1;
+    if (name == "stamped-cake") // the rays of the star are thin
+        return 1.2;
+    return 1.5;
+}
 
 int colorsIn(const QImage& picture)
 {
@@ -53,8 +61,7 @@ void GalleryTest::piecesAreSoundAndSmooth()
 {
     QFETCH(int, index);
     const gallery::Piece piece = gallery::read(folder).at(static_cast<std::size_t>(index));
-    m_pieces.push_back(
-        gallery::carryOut(KNEAD_PROGRAM, piece, folder, m_out.path(), piece.name == asItIs ? 1 : coarser));
+    m_pieces.push_back(gallery::carryOut(KNEAD_PROGRAM, piece, folder, m_out.path(), coarserFor(piece.name)));
     const nlohmann::ordered_json& came = m_pieces.back();
     QVERIFY2(gallery::isGood(came), came.dump().c_str());
     QVERIFY2(std::abs(came.at("volume_error").get<double>()) < mostVolumeError, came.dump().c_str());
