@@ -20,11 +20,12 @@ struct Piece {
 /// @throws std::runtime_error, nlohmann::json::exception
 std::vector<Piece> read(const QString& folder);
 
-/// Carries out the recipe of a piece into OUT/NAME: its exports, and before.png, the same picture at the start with the tools.
+/// Carries out the recipe of a piece into OUT/NAME: its exports, and before.png, the same picture at the start with
+/// the tools.
 /// @param coarser the spacing in terms of that of the recipe: 1 as it is shown
 /// @return what came of it: "title", "line", "name", "step", "after" and "before" (files in OUT), "objects", "bodies",
-/// "faces_before", "faces_after", "smooth" and "sound" (numbers of bodies), "volume_error" (of the file against the skin, as a share),
-/// "off_mm" (of the file from the skin, at most), "run_s", "said"; or "fault"
+/// "faces_before", "faces_after", "smooth" and "sound" (numbers of bodies), "volume_error" (of the file against the
+/// skin, as a share), "off_mm" (of the file from the skin, at most), "run_s", "said"; or "fault"
 nlohmann::ordered_json carryOut(const QString& program, const Piece& piece, const QString& folder, const QString& out,
                                 double coarser = 1);
 

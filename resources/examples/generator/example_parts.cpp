@@ -154,7 +154,8 @@ TopoDS_Edge smoothCurve(const std::vector<ProfilePoint>& points)
     return BRepBuilderAPI_MakeEdge(through.Curve()).Edge();
 }
 
-/// Something round about z with an opening at the top: both curves run from the axis upwards, and the rim between them is a half circle.
+/// Something round about z with an opening at the top: both curves run from the axis upwards, and the rim between
+/// them is a half circle.
 TopoDS_Shape vessel(const std::vector<ProfilePoint>& outside, const std::vector<ProfilePoint>& inside)
 {
     const ProfilePoint& out = outside.back();
