@@ -1,5 +1,7 @@
 #include "corpus/page.h"
 
+#include "support/html.h"
+
 #include <array>
 #include <cstdio>
 
@@ -43,14 +45,6 @@ std::string textOf(const Json& file, const char* key)
         return text;
     }
     return found->dump();
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return result;
 }
 
 } // namespace

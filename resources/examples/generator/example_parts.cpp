@@ -4,17 +4,29 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Elips.hxx>
@@ -116,6 +128,74 @@ TopoDS_Shape roundedRims(const TopoDS_Shape& shape, double radius)
     return fillet.Shape();
 }
 
+/// A point of a half section through something round [mm].
+struct ProfilePoint {
+    double radius;
+    double height;
+};
+
+gp_Pnt placeOf(const ProfilePoint& point)
+{
+    return {point.radius, 0, point.height};
+}
+
+TopoDS_Edge line(const ProfilePoint& from, const ProfilePoint& to)
+{
+    return BRepBuilderAPI_MakeEdge(placeOf(from), placeOf(to)).Edge();
+}
+
+TopoDS_Edge smoothCurve(const std::vector<ProfilePoint>& points)
+{
+    Handle(TColgp_HArray1OfPnt) places = new TColgp_HArray1OfPnt(1, static_cast<int>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        places->SetValue(static_cast<int>(i) + 1, placeOf(points[i]));
+    GeomAPI_Interpolate through(places, false, 1e-6);
+    through.Perform();
+    return BRepBuilderAPI_MakeEdge(through.Curve()).Edge();
+}
+
+/// Something round about z with an opening at the top: both curves run from the axis upwards, and the rim between
+/// them is a half circle.
+TopoDS_Shape vessel(const std::vector<ProfilePoint>& outside, const std::vector<ProfilePoint>& inside)
+{
+    const ProfilePoint& out = outside.back();
+    const ProfilePoint& in = inside.back();
+    const double half = 0.5 * std::hypot(out.radius - in.radius, out.height - in.height);
+    const ProfilePoint top{0.5 * (out.radius + in.radius), 0.5 * (out.height + in.height) + half};
+    const GC_MakeArcOfCircle rim(placeOf(out), placeOf(top), placeOf(in));
+    BRepBuilderAPI_MakeWire wire;
+    const std::vector<ProfilePoint> wall(outside.begin() + 1, outside.end()); // the foot is flat
+    const std::vector<ProfilePoint> well(inside.begin() + 1, inside.end());
+    wire.Add(line(outside.front(), wall.front()));
+    wire.Add(smoothCurve(wall));
+    wire.Add(BRepBuilderAPI_MakeEdge(rim.Value()).Edge());
+    wire.Add(smoothCurve(well));
+    wire.Add(line(well.front(), inside.front()));
+    wire.Add(line(inside.front(), outside.front()));
+    const gp_Ax1 axis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+    return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), axis).Shape();
+}
+
+/// All edges.
+TopoDS_Shape roundedAllAround(const TopoDS_Shape& shape, double radius)
+{
+    return rounded(shape, radius, [](const gp_Pnt& /*middle*/, const gp_Dir& /*d*/) { return true; });
+}
+
+/// A star upright about z, with a ray along y.
+TopoDS_Shape star(double outer, double inner, double foot, double height)
+{
+    BRepBuilderAPI_MakePolygon outline;
+    for (int i = 0; i < 10; ++i) {
+        const double radius = i % 2 == 0 ? outer : inner;
+        const double angle = M_PI / 2 + i * M_PI / 5;
+        outline.Add(gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), foot));
+    }
+    outline.Close();
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(outline.Wire()).Face();
+    return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, height)).Shape();
+}
+
 } // namespace
 
 std::vector<ExampleBody> makeBar()
@@ -202,4 +282,59 @@ std::vector<ExampleBody> makeHandle()
                                           3);
     const TopoDS_Shape ferrule = roundedRims(cylinder({0, 0, -16}, gp_Dir(0, 0, 1), 7.5, 16), 1.5);
     return {{"Grip", grip, 0.30, 0.34, 0.36}, {"Ferrule", ferrule, 0.79, 0.80, 0.82}};
+}
+
+std::vector<ExampleBody> makeBowl()
+{
+    const TopoDS_Shape bowl = vessel({{0, 0}, {20, 0}, {33, 7}, {43, 20}, {48, 38}},
+                                     {{0, 4}, {18, 4}, {30.5, 9.5}, {39.8, 21.3}, {44.5, 38}});
+    return {{"Bowl", bowl, 0.54, 0.60, 0.36}};
+}
+
+std::vector<ExampleBody> makeVase()
+{
+    const TopoDS_Shape vase = vessel({{0, 0}, {20, 0}, {29, 18}, {32, 40}, {25, 68}, {18, 88}, {22, 107}},
+                                     {{0, 6}, {16, 6}, {24, 19}, {27, 40}, {20.2, 66.5}, {13, 88}, {17, 107}});
+    return {{"Vase", vase, 0.71, 0.40, 0.25}};
+}
+
+std::vector<ExampleBody> makeJug()
+{
+    const TopoDS_Shape cup = vessel({{0, 0}, {24, 0}, {32, 16}, {33, 36}, {28, 58}, {29, 78}},
+                                    {{0, 5}, {21, 5}, {27.5, 17}, {28.5, 36}, {23.5, 58}, {24.5, 78}});
+    // The handle is drawn along an arc from the shoulder to the belly, into the wall.
+    const GC_MakeArcOfCircle way(gp_Pnt(-26.5, 0, 64), gp_Pnt(-52, 0, 44), gp_Pnt(-30.5, 0, 22));
+    const TopoDS_Wire spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(way.Value()).Edge()).Wire();
+    gp_Pnt start;
+    gp_Vec along;
+    way.Value()->D1(way.Value()->FirstParameter(), start, along);
+    const gp_Elips section(gp_Ax2(start, along, gp_Dir(0, 1, 0)), 6, 4.5);
+    const TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(section).Edge()).Wire()).Face();
+    const TopoDS_Shape handle = BRepOffsetAPI_MakePipe(spine, face).Shape();
+    return {{"Jug", BRepAlgoAPI_Fuse(cup, handle).Shape(), 0.71, 0.40, 0.25}};
+}
+
+std::vector<ExampleBody> makeCushion()
+{
+    return {{"Cushion", roundedAllAround(box(0, 0, 0, 90, 90, 26), 12), 0.56, 0.83, 0.82}};
+}
+
+std::vector<ExampleBody> makeRod()
+{
+    TopoDS_Shape rod = box(20, -7, -7, 140, 7, 7);
+    for (const double end : {0.0, 140.0})
+        rod = BRepAlgoAPI_Fuse(rod, roundedRims(cylinder({end, 0, 0}, gp_Dir(1, 0, 0), 10, 20), 2)).Shape();
+    return {{"Rod", rod, 0.91, 0.53, 0.23}};
+}
+
+std::vector<ExampleBody> makeCake()
+{
+    return {{"Cake", roundedRims(cylinder({0, 0, 0}, gp_Dir(0, 0, 1), 32, 14), 4), 0.29, 0.47, 0.78}};
+}
+
+std::vector<ExampleBody> makeStamp()
+{
+    const TopoDS_Shape disk = cylinder({0, 0, 8}, gp_Dir(0, 0, 1), 26, 8);
+    return {{"Stamp", BRepAlgoAPI_Fuse(disk, star(22, 10, 0, 8)).Shape(), 0.42, 0.64, 0.56}};
 }

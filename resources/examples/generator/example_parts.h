@@ -34,3 +34,26 @@ std::vector<ExampleBody> makeGrip();
 
 /// A curved grip that stands upright, with a swelling for the palm, and the metal ferrule below it.
 std::vector<ExampleBody> makeHandle();
+
+// Parts of the gallery, in the colors that the window gives their materials.
+
+/// A bowl of 96 mm across with a wall of 3.5 mm and a foot, upside up.
+std::vector<ExampleBody> makeBowl();
+
+/// A slender vase, 110 mm tall, with a wall of 5 mm.
+std::vector<ExampleBody> makeVase();
+
+/// A clay jug with a handle along x, 80 mm tall, with a wall of 4.5 mm.
+std::vector<ExampleBody> makeJug();
+
+/// A cushion of 90 x 90 x 26 mm, rounded all around.
+std::vector<ExampleBody> makeCushion();
+
+/// A square rod of 160 x 14 x 14 mm along x, with round ends for the hands.
+std::vector<ExampleBody> makeRod();
+
+/// A round cake of clay, 64 mm across and 14 mm thick.
+std::vector<ExampleBody> makeCake();
+
+/// A stamp: a star of five rays under a disk. It stamps downwards; its star ends at z = 0.
+std::vector<ExampleBody> makeStamp();

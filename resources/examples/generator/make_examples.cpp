@@ -1,4 +1,4 @@
-// Writes the example parts: knead_make_examples FOLDER
+// Writes the example parts and those of the gallery: knead_make_examples RESOURCES
 
 #include "example_parts.h"
 #include "step_file.h"
@@ -27,18 +27,27 @@ void writeExample(const std::string& folder, const std::string& name, const std:
 int main(int argc, char** argv)
 {
     if (argc != 2) {
-        std::cerr << "usage: knead_make_examples FOLDER\n";
+        std::cerr << "usage: knead_make_examples RESOURCES\n";
         return 2;
     }
     try {
         Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
-        writeExample(argv[1], "bar", makeBar());
-        writeExample(argv[1], "bracket", makeBracket());
-        writeExample(argv[1], "grip", makeGrip());
-        writeExample(argv[1], "handle", makeHandle());
-        writeExample(argv[1], "lump", makeLump());
-        writeExample(argv[1], "paper-bar", makePaperBar());
-        writeExample(argv[1], "plate", makePlate());
+        const std::string examples = std::string(argv[1]) + "/examples";
+        const std::string gallery = std::string(argv[1]) + "/gallery";
+        writeExample(examples, "bar", makeBar());
+        writeExample(examples, "bracket", makeBracket());
+        writeExample(examples, "grip", makeGrip());
+        writeExample(examples, "handle", makeHandle());
+        writeExample(examples, "lump", makeLump());
+        writeExample(examples, "paper-bar", makePaperBar());
+        writeExample(examples, "plate", makePlate());
+        writeExample(gallery, "bowl", makeBowl());
+        writeExample(gallery, "cake", makeCake());
+        writeExample(gallery, "cushion", makeCushion());
+        writeExample(gallery, "jug", makeJug());
+        writeExample(gallery, "rod", makeRod());
+        writeExample(gallery, "stamp", makeStamp());
+        writeExample(gallery, "vase", makeVase());
         return 0;
     } catch (const Standard_Failure& failure) {
         std::cerr << "knead_make_examples: " << failure.GetMessageString() << '\n';
