@@ -323,14 +323,6 @@
         <translation>Vollbild</translation>
     </message>
     <message>
-        <source>&amp;Tour of the window</source>
-        <translation>&amp;Rundgang durch das Fenster</translation>
-    </message>
-    <message>
-        <source>What is where, in a minute</source>
-        <translation>Was wo ist, in einer Minute</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>Maus und Tasten</translation>
     </message>
@@ -513,6 +505,30 @@
     <message>
         <source>Write what the view shows as a picture of any size</source>
         <translation>Was die Ansicht zeigt, als Bild beliebiger Größe schreiben</translation>
+    </message>
+    <message>
+        <source>Warnings in the view</source>
+        <translation>Warnungen in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Mark where the part is folded over itself, got thin or is about to break</source>
+        <translation>Markieren, wo das Teil über sich selbst gefaltet ist, dünn wurde oder gleich bricht</translation>
+    </message>
+    <message>
+        <source>&amp;Tour on a block of clay</source>
+        <translation>&amp;Rundgang an einem Block Ton</translation>
+    </message>
+    <message>
+        <source>Press it, pull it, export it: in two minutes</source>
+        <translation>Drücken, ziehen, exportieren: in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Back to the first page with nothing open; what is not saved is asked about</source>
+        <translation>Zurück zur ersten Seite, ohne dass etwas offen ist; nach Ungespeichertem wird gefragt</translation>
     </message>
 </context>
 <context>
@@ -777,6 +793,25 @@
     </message>
 </context>
 <context>
+    <name>Curvature</name>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>konkav</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>konvex</translation>
+    </message>
+</context>
+<context>
     <name>Cut</name>
     <message>
         <source>A cut needs a plane: a point, and a normal that is not zero.</source>
@@ -965,6 +1000,38 @@
         <source>Shading</source>
         <translation>Schattierung</translation>
     </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Wachs</translation>
+    </message>
+    <message>
+        <source>Chrome</source>
+        <translation>Chrom</translation>
+    </message>
+    <message>
+        <source>Porcelain</source>
+        <translation>Porzellan</translation>
+    </message>
+    <message>
+        <source>Blue where parts are hollow, white where they are flat, orange where they bulge</source>
+        <translation>Blau, wo Teile hohl sind, weiß, wo sie flach sind, orange, wo sie sich wölben</translation>
+    </message>
+    <message>
+        <source>Parts are soft and shine through at their rims</source>
+        <translation>Teile wirken weich und scheinen an ihren Rändern durch</translation>
+    </message>
+    <message>
+        <source>All parts mirror a sky and the ground, which shows every dent</source>
+        <translation>Alle Teile spiegeln Himmel und Boden, was jede Delle zeigt</translation>
+    </message>
+    <message>
+        <source>All parts are white and glazed</source>
+        <translation>Alle Teile sind weiß und glasiert</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -1031,6 +1098,10 @@
     <message>
         <source>Shading</source>
         <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>Place of the section plane</source>
+        <translation>Lage der Schnittebene</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1952,10 @@
         <source>One of %1 parts is not sound.</source>
         <translation>Eines von %1 Teilen ist nicht einwandfrei.</translation>
     </message>
+    <message>
+        <source>Exported parts</source>
+        <translation>Exportierte Teile</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2534,6 +2609,14 @@
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
         <translation>Was fern vom Pinsel liegt, wird wie mit der anderen Hand gehalten, wo sonst nichts das Teil hält</translation>
     </message>
+    <message>
+        <source>Forces of brushes, too</source>
+        <translation>Auch Kräfte der Pinsel</translation>
+    </message>
+    <message>
+        <source>Fingers and grips of brushes have lines in the plot and columns in the table, too</source>
+        <translation>Auch Finger und Griffe der Pinsel haben Linien im Diagramm und Spalten in der Tabelle</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>
@@ -2818,6 +2901,10 @@ Simuliert: %2, Schritt %3
         <source>Mark as key moment</source>
         <translation>Als wichtigen Moment merken</translation>
     </message>
+    <message>
+        <source>Memory of the history</source>
+        <translation>Speicher des Verlaufs</translation>
+    </message>
 </context>
 <context>
     <name>HomePage</name>
@@ -2848,6 +2935,18 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Begin with an example</source>
         <translation>Mit einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Try it: press a thumb into clay</source>
+        <translation>Ausprobieren: einen Daumen in Ton drücken</translation>
+    </message>
+    <message>
+        <source>A block of clay opens. Hold the left button on it; then pull it, and export it. Two minutes.</source>
+        <translation>Ein Block Ton öffnet sich. Die linke Taste darauf halten; dann ziehen und exportieren. Zwei Minuten.</translation>
     </message>
 </context>
 <context>
@@ -3651,6 +3750,10 @@ Simuliert: %2, Schritt %3
         <source>Nothing was wrong with this file.</source>
         <translation>An dieser Datei war nichts falsch.</translation>
     </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Hinweise</translation>
+    </message>
 </context>
 <context>
     <name>KeyCards</name>
@@ -3706,6 +3809,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Error: %1</source>
         <translation>Fehler: %1</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
     </message>
 </context>
 <context>
@@ -4366,6 +4473,10 @@ Simuliert: %2, Schritt %3
         <source>Reading</source>
         <translation>Messgröße</translation>
     </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -4727,6 +4838,10 @@ Simuliert: %2, Schritt %3
         <source>Color of %1 parts</source>
         <translation>Farbe von %1 Teilen</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
 </context>
 <context>
     <name>ModelTreeDelegate</name>
@@ -4906,6 +5021,10 @@ Simuliert: %2, Schritt %3
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 Millionen Verbindungen je Sekunde, %2 Objekte</translation>
     </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Zeit eines Bildes</translation>
+    </message>
 </context>
 <context>
     <name>PickTool</name>
@@ -5029,6 +5148,17 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1: picture saved.</source>
         <translation>%1: Bild gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceRows</name>
+    <message>
+        <source>Show me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Look there in the view (Enter)</source>
+        <translation>In der Ansicht dorthin sehen (Eingabe)</translation>
     </message>
 </context>
 <context>
@@ -5233,6 +5363,22 @@ Simuliert: %2, Schritt %3
         <source>Which buttons orbit, pan and zoom; the status bar tells. The wheel zooms to the cursor.</source>
         <translation>Welche Tasten drehen, schieben und zoomen; die Statusleiste sagt es. Das Rad zoomt zum Zeiger.</translation>
     </message>
+    <message>
+        <source>Text size</source>
+        <translation>Textgröße</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>125 %</source>
+        <translation>125 %</translation>
+    </message>
+    <message>
+        <source>150 %</source>
+        <translation>150 %</translation>
+    </message>
 </context>
 <context>
     <name>PressHand</name>
@@ -5314,6 +5460,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>All tools</source>
         <translation>Alle Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sonden</translation>
     </message>
 </context>
 <context>
@@ -5745,6 +5895,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>E&amp;xamples</source>
         <translation>Beis&amp;piele</translation>
+    </message>
+    <message>
+        <source>Closed %1.</source>
+        <translation>%1 geschlossen.</translation>
     </message>
 </context>
 <context>
@@ -7270,6 +7424,10 @@ Simuliert: %2, Schritt %3
         <source>A selection needs a name: type one, then save it.</source>
         <translation>Eine Auswahl braucht einen Namen: einen tippen, dann speichern.</translation>
     </message>
+    <message>
+        <source>Name of the selection</source>
+        <translation>Name der Auswahl</translation>
+    </message>
 </context>
 <context>
     <name>Shortcuts</name>
@@ -7897,6 +8055,325 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Synonyms</name>
+    <message>
+        <source>revert, back, take back, mistake</source>
+        <translation>zurück, widerrufen, Fehler</translation>
+    </message>
+    <message>
+        <source>again, forward, repeat</source>
+        <translation>nochmals, vorwärts</translation>
+    </message>
+    <message>
+        <source>load, import, file, read</source>
+        <translation>laden, importieren, Datei, lesen</translation>
+    </message>
+    <message>
+        <source>write, store, keep, project</source>
+        <translation>sichern, schreiben, behalten, Projekt</translation>
+    </message>
+    <message>
+        <source>write as, copy, duplicate</source>
+        <translation>sichern unter, Kopie</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, STL, mesh, 3D print, print, write, convert, CAD</source>
+        <translation>STEP, IGES, STL, Netz, 3D-Druck, drucken, schreiben, umwandeln, CAD</translation>
+    </message>
+    <message>
+        <source>script, macro, batch, automate</source>
+        <translation>Skript, Makro, automatisieren</translation>
+    </message>
+    <message>
+        <source>screenshot, image, photo, snapshot, PNG, JPEG, render</source>
+        <translation>Bildschirmfoto, Foto, Aufnahme, PNG, JPEG</translation>
+    </message>
+    <message>
+        <source>movie, film, animation, screencast, clip</source>
+        <translation>Film, Animation, Bildschirmaufnahme</translation>
+    </message>
+    <message>
+        <source>frames, image sequence</source>
+        <translation>Einzelbilder, Bildfolge</translation>
+    </message>
+    <message>
+        <source>demo, show me</source>
+        <translation>Vorführung, zeig es</translation>
+    </message>
+    <message>
+        <source>push, squeeze, poke</source>
+        <translation>schieben, quetschen</translation>
+    </message>
+    <message>
+        <source>drag, tug, stretch, grab</source>
+        <translation>zerren, dehnen, greifen</translation>
+    </message>
+    <message>
+        <source>sculpt, mold, mould, clay, knead, dent, finger, groove</source>
+        <translation>modellieren, formen, Ton, kneten, Delle, Finger, Rille</translation>
+    </message>
+    <message>
+        <source>polish, even out, relax</source>
+        <translation>polieren, ebnen</translation>
+    </message>
+    <message>
+        <source>flat, plane, iron</source>
+        <translation>flach, eben, bügeln</translation>
+    </message>
+    <message>
+        <source>crease, ridge, gather</source>
+        <translation>kneifen, Grat, Falte</translation>
+    </message>
+    <message>
+        <source>smudge, spread</source>
+        <translation>verwischen, streichen</translation>
+    </message>
+    <message>
+        <source>fold, curve</source>
+        <translation>falten, krümmen</translation>
+    </message>
+    <message>
+        <source>wring, turn, screw</source>
+        <translation>wringen, drehen</translation>
+    </message>
+    <message>
+        <source>mirror, both sides</source>
+        <translation>spiegeln, beide Seiten</translation>
+    </message>
+    <message>
+        <source>orbit, rotate view, turn view, pan, navigate, gestures</source>
+        <translation>Orbit, Ansicht drehen, umkreisen, verschieben, navigieren</translation>
+    </message>
+    <message>
+        <source>zoom, zoom to fit, center, frame, whole part</source>
+        <translation>Zoom, zoomen, zentrieren, ganzes Teil</translation>
+    </message>
+    <message>
+        <source>3D view, default view</source>
+        <translation>3D-Ansicht, Standardansicht</translation>
+    </message>
+    <message>
+        <source>orthographic, parallel, projection</source>
+        <translation>orthografisch, parallel, Projektion</translation>
+    </message>
+    <message>
+        <source>join, bond, stick, weld, attach, fuse</source>
+        <translation>verbinden, kleben, verkleben, schweißen, Leim</translation>
+    </message>
+    <message>
+        <source>cut, slice, blade, split, saw</source>
+        <translation>schneiden, Klinge, teilen, sägen</translation>
+    </message>
+    <message>
+        <source>cheese wire, cut</source>
+        <translation>Schneidedraht, schneiden</translation>
+    </message>
+    <message>
+        <source>slice, split, saw, divide, halve</source>
+        <translation>zerschneiden, teilen, sägen, halbieren</translation>
+    </message>
+    <message>
+        <source>cross section, clip, cutaway, look inside</source>
+        <translation>Querschnitt, hineinsehen, aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>box, cube, punch, stamp</source>
+        <translation>Quader, Würfel, Stempel</translation>
+    </message>
+    <message>
+        <source>sphere, bead</source>
+        <translation>Sphäre, Murmel</translation>
+    </message>
+    <message>
+        <source>rolling pin, roll out</source>
+        <translation>Nudelholz, ausrollen, Walze</translation>
+    </message>
+    <message>
+        <source>clamp, hold, anchor, pin, constrain, support, vise</source>
+        <translation>einspannen, festhalten, verankern, lagern, Schraubstock</translation>
+    </message>
+    <message>
+        <source>measure, ruler, length, gap, dimension, caliper</source>
+        <translation>messen, Lineal, Länge, Lücke, Maß, Messschieber</translation>
+    </message>
+    <message>
+        <source>weight, mass, how heavy</source>
+        <translation>Gewicht, Masse, wie schwer</translation>
+    </message>
+    <message>
+        <source>size, extent, width, height</source>
+        <translation>Größe, Ausdehnung, Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>difference, deviation, report</source>
+        <translation>Unterschied, Abweichung, Bericht</translation>
+    </message>
+    <message>
+        <source>sensor, strain gauge</source>
+        <translation>Sensor, Dehnungsmessstreifen</translation>
+    </message>
+    <message>
+        <source>graph, chart, curve</source>
+        <translation>Kurve, Graph</translation>
+    </message>
+    <message>
+        <source>CSV, spreadsheet, data</source>
+        <translation>CSV, Tabellenkalkulation, Daten</translation>
+    </message>
+    <message>
+        <source>fall, drop, heavy</source>
+        <translation>fallen, schwer</translation>
+    </message>
+    <message>
+        <source>ground, table</source>
+        <translation>Grund, Tisch</translation>
+    </message>
+    <message>
+        <source>run, start, simulate, pause, stop</source>
+        <translation>laufen, simulieren, anhalten, Pause</translation>
+    </message>
+    <message>
+        <source>start over, rewind, restart</source>
+        <translation>von vorn, zurückspulen, neu beginnen</translation>
+    </message>
+    <message>
+        <source>equilibrium, settle, static</source>
+        <translation>Ruhe, statisch</translation>
+    </message>
+    <message>
+        <source>forget shape, accept shape</source>
+        <translation>Form vergessen, Form annehmen</translation>
+    </message>
+    <message>
+        <source>remesh, resolution</source>
+        <translation>neu vernetzen, Auflösung</translation>
+    </message>
+    <message>
+        <source>real time, slow, faster</source>
+        <translation>langsam, schneller</translation>
+    </message>
+    <message>
+        <source>help, manual, documentation, guide, how to</source>
+        <translation>Hilfe, Anleitung, Dokumentation</translation>
+    </message>
+    <message>
+        <source>tutorial, learn, getting started, introduction, first steps</source>
+        <translation>Tutorial, lernen, Einführung, erste Schritte</translation>
+    </message>
+    <message>
+        <source>hotkeys, key bindings, keymap</source>
+        <translation>Hotkeys, Tastenbelegung, Kurzbefehle</translation>
+    </message>
+    <message>
+        <source>settings, options, language, units, translation</source>
+        <translation>Optionen, Sprache, Einheiten, Übersetzung</translation>
+    </message>
+    <message>
+        <source>dark mode, night mode, black</source>
+        <translation>dunkler Modus, Nachtmodus, schwarz</translation>
+    </message>
+    <message>
+        <source>light mode, day mode, white</source>
+        <translation>heller Modus, Tagmodus, weiß</translation>
+    </message>
+    <message>
+        <source>new document, second window</source>
+        <translation>neues Dokument, zweites Fenster</translation>
+    </message>
+    <message>
+        <source>home, start page, welcome, examples</source>
+        <translation>Startseite, Willkommen, Beispiele</translation>
+    </message>
+    <message>
+        <source>crash, restore, lost work, autosave</source>
+        <translation>Absturz, retten, verlorene Arbeit</translation>
+    </message>
+    <message>
+        <source>delete, erase</source>
+        <translation>löschen, tilgen</translation>
+    </message>
+    <message>
+        <source>invisible, conceal</source>
+        <translation>unsichtbar, ausblenden</translation>
+    </message>
+    <message>
+        <source>unhide, visible</source>
+        <translation>einblenden, sichtbar</translation>
+    </message>
+    <message>
+        <source>only this, solo</source>
+        <translation>nur dies, allein</translation>
+    </message>
+    <message>
+        <source>spheres, particles</source>
+        <translation>Kugeln, Partikel</translation>
+    </message>
+    <message>
+        <source>lines, outline</source>
+        <translation>Linien, Umriss</translation>
+    </message>
+    <message>
+        <source>maximize, presentation</source>
+        <translation>maximieren, Präsentation</translation>
+    </message>
+    <message>
+        <source>version, license, credits</source>
+        <translation>Version, Lizenz</translation>
+    </message>
+    <message>
+        <source>search, find action</source>
+        <translation>suchen, Aktion finden</translation>
+    </message>
+    <message>
+        <source>exit, close, leave</source>
+        <translation>schließen, verlassen</translation>
+    </message>
+    <message>
+        <source>name, call</source>
+        <translation>nennen, Name</translation>
+    </message>
+    <message>
+        <source>paint, colour, tint</source>
+        <translation>färben, anmalen, Anstrich</translation>
+    </message>
+    <message>
+        <source>protect, freeze</source>
+        <translation>schützen, einfrieren</translation>
+    </message>
+    <message>
+        <source>undeformed, ghost</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>move, rotate, arrows, transform</source>
+        <translation>bewegen, drehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>WASD, keyboard control</source>
+        <translation>WASD, Tastatursteuerung</translation>
+    </message>
+    <message>
+        <source>3Dconnexion, SpaceMouse, joystick</source>
+        <translation>3Dconnexion, SpaceMouse, Joystick</translation>
+    </message>
+    <message>
+        <source>assembly, insert, merge</source>
+        <translation>Baugruppe, einfügen</translation>
+    </message>
+    <message>
+        <source>threads, slow motion, speed</source>
+        <translation>Threads, Zeitlupe, Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>fps, frame rate, profiler</source>
+        <translation>fps, Bildrate</translation>
+    </message>
+    <message>
+        <source>material, stiffness, rubber, steel</source>
+        <translation>Werkstoff, Material, Steifigkeit, Gummi, Stahl</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -7973,6 +8450,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Double-click: go there</source>
         <translation>Doppelklick: dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1, Eintrag %2</translation>
     </message>
 </context>
 <context>
@@ -8211,14 +8696,6 @@ Simuliert: %2, Schritt %3
 <context>
     <name>Tour</name>
     <message>
-        <source>Tour of the window</source>
-        <translation>Rundgang durch das Fenster</translation>
-    </message>
-    <message>
-        <source>End tour</source>
-        <translation>Rundgang beenden</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -8227,60 +8704,56 @@ Simuliert: %2, Schritt %3
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
+        <source>Go on without doing this</source>
+        <translation>Weiter, ohne das zu tun</translation>
     </message>
     <message>
-        <source>Open a part</source>
-        <translation>Ein Teil öffnen</translation>
+        <source>End</source>
+        <translation>Beenden</translation>
     </message>
     <message>
-        <source>Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material at once.</source>
-        <translation>Eine STEP-, IGES- oder Netzdatei hier ablegen, Strg+O drücken, oder mit einem Beispiel beginnen. Es wird sofort mit Material gefüllt.</translation>
+        <source>End the tour; the part stays open</source>
+        <translation>Den Rundgang beenden; das Teil bleibt offen</translation>
     </message>
     <message>
-        <source>What there is</source>
-        <translation>Was es gibt</translation>
+        <source>Tour: %1</source>
+        <translation>Rundgang: %1</translation>
     </message>
     <message>
-        <source>Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too.</source>
-        <translation>Teile, Werkzeuge und Einspannungen stehen hier. Ein Klick wählt; das Gewählte zeigt sich auch in der Ansicht.</translation>
+        <source>Press</source>
+        <translation>Drücken</translation>
     </message>
     <message>
-        <source>What it is made of</source>
-        <translation>Woraus es besteht</translation>
+        <source>Hold the left button on the clay: a thumb goes in for as long as you hold it.</source>
+        <translation>Die linke Taste auf dem Ton halten: Ein Daumen geht hinein, solange sie gehalten wird.</translation>
     </message>
     <message>
-        <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
-        <translation>Ein Material wählen oder seine Zahlen tippen, in jeder Einheit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. Es wirkt, während die Zeit läuft.</translation>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
     </message>
     <message>
-        <source>Hold, push, run</source>
-        <translation>Halten, drücken, laufen lassen</translation>
+        <source>Choose Pull material at the right of the view (%1). Then drag a corner of the clay outwards.</source>
+        <translation>Rechts neben der Ansicht Material ziehen wählen (%1). Dann eine Ecke des Tons nach außen ziehen.</translation>
     </message>
     <message>
-        <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
-        <translation>X fixiert angeklickte Flächen, B fügt einen Block hinzu, die Leertaste lässt die Zeit laufen. Den Block mit der linken Taste ziehen oder mit den Pfeiltasten fahren; die mittlere Taste dreht die Ansicht.</translation>
+        <source>Export</source>
+        <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Back and forth in time</source>
-        <translation>Vor und zurück in der Zeit</translation>
+        <source>Press %1 and write the clay as STEP or as a mesh, into a folder of your choice. Or skip this.</source>
+        <translation>%1 drücken und den Ton als STEP oder als Netz in einen Ordner der Wahl schreiben. Oder überspringen.</translation>
     </message>
     <message>
-        <source>Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included.</source>
-        <translation>Entlang der Zeitleiste ziehen, um zurückzublicken. Strg+Z macht alles Getane rückgängig, auch was simuliert wurde.</translation>
+        <source>That was all</source>
+        <translation>Das war alles</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Alles Weitere</translation>
-    </message>
-    <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
-        <translation>Strg+E exportiert das Teil wieder als CAD. Strg+K findet jeden Befehl an ein paar Buchstaben, F1 öffnet das Handbuch, und das Menü Hilfe wiederholt diesen Rundgang.</translation>
+        <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
+        <translation>Strg+Z nimmt zurück, was immer getan wurde. Strg+K findet jeden Befehl, F1 öffnet das Handbuch, und dieser Rundgang steht im Menü Hilfe.</translation>
     </message>
 </context>
 <context>
@@ -8429,10 +8902,44 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>ViewReading</name>
+    <message>
+        <source>Nothing is open</source>
+        <translation>Nichts ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nichts ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>ViewsFeature</name>
     <message>
         <source>Show two or four views first.</source>
         <translation>Zuerst zwei oder vier Ansichten zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>WarningWatch</name>
+    <message>
+        <source>Fold</source>
+        <translation>Falte</translation>
+    </message>
+    <message>
+        <source>Wall %1, was %2</source>
+        <translation>Wand %1, war %2</translation>
+    </message>
+    <message>
+        <source>Stretched to %1 % of breaking</source>
+        <translation>Bis %1 % des Bruchs gedehnt</translation>
     </message>
 </context>
 <context>

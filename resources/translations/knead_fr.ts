@@ -323,14 +323,6 @@
         <translation>Plein écran</translation>
     </message>
     <message>
-        <source>&amp;Tour of the window</source>
-        <translation>&amp;Visite de la fenêtre</translation>
-    </message>
-    <message>
-        <source>What is where, in a minute</source>
-        <translation>Ce qui est où, en une minute</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>Souris et touches</translation>
     </message>
@@ -513,6 +505,30 @@
     <message>
         <source>Write what the view shows as a picture of any size</source>
         <translation>Écrire ce que la vue montre comme image de n&apos;importe quelle taille</translation>
+    </message>
+    <message>
+        <source>Warnings in the view</source>
+        <translation>Avertissements dans la vue</translation>
+    </message>
+    <message>
+        <source>Mark where the part is folded over itself, got thin or is about to break</source>
+        <translation>Marquer où la pièce est repliée sur elle-même, s&apos;est amincie ou va rompre</translation>
+    </message>
+    <message>
+        <source>&amp;Tour on a block of clay</source>
+        <translation>&amp;Visite sur un bloc d&apos;argile</translation>
+    </message>
+    <message>
+        <source>Press it, pull it, export it: in two minutes</source>
+        <translation>Presser, tirer, exporter : en deux minutes</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Back to the first page with nothing open; what is not saved is asked about</source>
+        <translation>Retour à la première page, sans rien d&apos;ouvert ; ce qui n&apos;est pas enregistré fait l&apos;objet d&apos;une question</translation>
     </message>
 </context>
 <context>
@@ -777,6 +793,25 @@
     </message>
 </context>
 <context>
+    <name>Curvature</name>
+    <message>
+        <source>Curvature</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>concave</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>convexe</translation>
+    </message>
+</context>
+<context>
     <name>Cut</name>
     <message>
         <source>A cut needs a plane: a point, and a normal that is not zero.</source>
@@ -965,6 +1000,38 @@
         <source>Shading</source>
         <translation>Ombrage</translation>
     </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Cire</translation>
+    </message>
+    <message>
+        <source>Chrome</source>
+        <translation>Chrome</translation>
+    </message>
+    <message>
+        <source>Porcelain</source>
+        <translation>Porcelaine</translation>
+    </message>
+    <message>
+        <source>Blue where parts are hollow, white where they are flat, orange where they bulge</source>
+        <translation>Bleu où les pièces sont creuses, blanc où elles sont planes, orange où elles sont bombées</translation>
+    </message>
+    <message>
+        <source>Parts are soft and shine through at their rims</source>
+        <translation>Les pièces paraissent douces et translucides sur leurs bords</translation>
+    </message>
+    <message>
+        <source>All parts mirror a sky and the ground, which shows every dent</source>
+        <translation>Toutes les pièces reflètent un ciel et le sol, ce qui montre chaque creux</translation>
+    </message>
+    <message>
+        <source>All parts are white and glazed</source>
+        <translation>Toutes les pièces sont blanches et émaillées</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -1031,6 +1098,10 @@
     <message>
         <source>Shading</source>
         <translation>Ombrage</translation>
+    </message>
+    <message>
+        <source>Place of the section plane</source>
+        <translation>Position du plan de coupe</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1952,10 @@
         <source>One of %1 parts is not sound.</source>
         <translation>Une pièce sur %1 n&apos;est pas saine.</translation>
     </message>
+    <message>
+        <source>Exported parts</source>
+        <translation>Pièces exportées</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2534,6 +2609,14 @@
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
         <translation>Ce qui est loin du pinceau est tenu comme par l&apos;autre main, là où rien d&apos;autre ne tient la pièce</translation>
     </message>
+    <message>
+        <source>Forces of brushes, too</source>
+        <translation>Aussi les forces des pinceaux</translation>
+    </message>
+    <message>
+        <source>Fingers and grips of brushes have lines in the plot and columns in the table, too</source>
+        <translation>Les doigts et prises des pinceaux ont aussi des courbes dans le graphique et des colonnes dans le tableau</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>
@@ -2818,6 +2901,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Mark as key moment</source>
         <translation>Marquer comme moment clé</translation>
     </message>
+    <message>
+        <source>Memory of the history</source>
+        <translation>Mémoire de l&apos;historique</translation>
+    </message>
 </context>
 <context>
     <name>HomePage</name>
@@ -2848,6 +2935,18 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Begin with an example</source>
         <translation>Commencer par un exemple</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Essayer</translation>
+    </message>
+    <message>
+        <source>Try it: press a thumb into clay</source>
+        <translation>Essayez : enfoncez un pouce dans l&apos;argile</translation>
+    </message>
+    <message>
+        <source>A block of clay opens. Hold the left button on it; then pull it, and export it. Two minutes.</source>
+        <translation>Un bloc d&apos;argile s&apos;ouvre. Maintenez le bouton gauche dessus ; puis tirez-le et exportez-le. Deux minutes.</translation>
     </message>
 </context>
 <context>
@@ -3651,6 +3750,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Nothing was wrong with this file.</source>
         <translation>Ce fichier n&apos;avait aucun défaut.</translation>
     </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
 </context>
 <context>
     <name>KeyCards</name>
@@ -3706,6 +3809,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Error: %1</source>
         <translation>Erreur : %1</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
     </message>
 </context>
 <context>
@@ -4366,6 +4473,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Reading</source>
         <translation>Grandeur</translation>
     </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -4727,6 +4838,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Color of %1 parts</source>
         <translation>Couleur de %1 pièces</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
 </context>
 <context>
     <name>ModelTreeDelegate</name>
@@ -4906,6 +5021,10 @@ Simulé&#xa0;: %2, pas %3
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 millions de liaisons par seconde, %2 objets</translation>
     </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Temps d&apos;une image</translation>
+    </message>
 </context>
 <context>
     <name>PickTool</name>
@@ -5029,6 +5148,17 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1: picture saved.</source>
         <translation>%1 : image enregistrée.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceRows</name>
+    <message>
+        <source>Show me</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Look there in the view (Enter)</source>
+        <translation>Regarder là dans la vue (Entrée)</translation>
     </message>
 </context>
 <context>
@@ -5233,6 +5363,22 @@ Simulé&#xa0;: %2, pas %3
         <source>Which buttons orbit, pan and zoom; the status bar tells. The wheel zooms to the cursor.</source>
         <translation>Les boutons qui tournent, glissent et zooment&#xa0;; la barre d&apos;état le dit. La molette zoome vers le curseur.</translation>
     </message>
+    <message>
+        <source>Text size</source>
+        <translation>Taille du texte</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>125 %</source>
+        <translation>125 %</translation>
+    </message>
+    <message>
+        <source>150 %</source>
+        <translation>150 %</translation>
+    </message>
 </context>
 <context>
     <name>PressHand</name>
@@ -5314,6 +5460,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>All tools</source>
         <translation>Tous les outils</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
     </message>
 </context>
 <context>
@@ -5745,6 +5895,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>E&amp;xamples</source>
         <translation>Exe&amp;mples</translation>
+    </message>
+    <message>
+        <source>Closed %1.</source>
+        <translation>%1 fermé.</translation>
     </message>
 </context>
 <context>
@@ -7270,6 +7424,10 @@ Simulé&#xa0;: %2, pas %3
         <source>A selection needs a name: type one, then save it.</source>
         <translation>Une sélection a besoin d&apos;un nom&#xa0;: tapez-en un, puis enregistrez-la.</translation>
     </message>
+    <message>
+        <source>Name of the selection</source>
+        <translation>Nom de la sélection</translation>
+    </message>
 </context>
 <context>
     <name>Shortcuts</name>
@@ -7897,6 +8055,325 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Synonyms</name>
+    <message>
+        <source>revert, back, take back, mistake</source>
+        <translation>revenir, retour, défaire, erreur</translation>
+    </message>
+    <message>
+        <source>again, forward, repeat</source>
+        <translation>encore, répéter</translation>
+    </message>
+    <message>
+        <source>load, import, file, read</source>
+        <translation>charger, importer, fichier, lire</translation>
+    </message>
+    <message>
+        <source>write, store, keep, project</source>
+        <translation>sauvegarder, écrire, garder, projet</translation>
+    </message>
+    <message>
+        <source>write as, copy, duplicate</source>
+        <translation>sauvegarder sous, copie</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, STL, mesh, 3D print, print, write, convert, CAD</source>
+        <translation>STEP, IGES, STL, maillage, impression 3D, imprimer, écrire, convertir, CAO</translation>
+    </message>
+    <message>
+        <source>script, macro, batch, automate</source>
+        <translation>script, macro, automatiser</translation>
+    </message>
+    <message>
+        <source>screenshot, image, photo, snapshot, PNG, JPEG, render</source>
+        <translation>capture d&apos;écran, photo, PNG, JPEG</translation>
+    </message>
+    <message>
+        <source>movie, film, animation, screencast, clip</source>
+        <translation>film, animation, clip</translation>
+    </message>
+    <message>
+        <source>frames, image sequence</source>
+        <translation>images, suite d&apos;images</translation>
+    </message>
+    <message>
+        <source>demo, show me</source>
+        <translation>démonstration, montrer</translation>
+    </message>
+    <message>
+        <source>push, squeeze, poke</source>
+        <translation>pousser, presser, écraser</translation>
+    </message>
+    <message>
+        <source>drag, tug, stretch, grab</source>
+        <translation>traîner, étirer, saisir</translation>
+    </message>
+    <message>
+        <source>sculpt, mold, mould, clay, knead, dent, finger, groove</source>
+        <translation>sculpter, modeler, argile, pétrir, creux, doigt, rainure</translation>
+    </message>
+    <message>
+        <source>polish, even out, relax</source>
+        <translation>polir, égaliser</translation>
+    </message>
+    <message>
+        <source>flat, plane, iron</source>
+        <translation>plat, plan, repasser</translation>
+    </message>
+    <message>
+        <source>crease, ridge, gather</source>
+        <translation>pli, arête, rassembler</translation>
+    </message>
+    <message>
+        <source>smudge, spread</source>
+        <translation>étaler, traîner</translation>
+    </message>
+    <message>
+        <source>fold, curve</source>
+        <translation>plier, courber</translation>
+    </message>
+    <message>
+        <source>wring, turn, screw</source>
+        <translation>tordre, tourner, visser</translation>
+    </message>
+    <message>
+        <source>mirror, both sides</source>
+        <translation>miroir, deux côtés</translation>
+    </message>
+    <message>
+        <source>orbit, rotate view, turn view, pan, navigate, gestures</source>
+        <translation>orbite, tourner la vue, déplacer la vue, naviguer</translation>
+    </message>
+    <message>
+        <source>zoom, zoom to fit, center, frame, whole part</source>
+        <translation>zoom, centrer, cadrer, pièce entière</translation>
+    </message>
+    <message>
+        <source>3D view, default view</source>
+        <translation>vue 3D, vue par défaut</translation>
+    </message>
+    <message>
+        <source>orthographic, parallel, projection</source>
+        <translation>orthographique, parallèle, projection</translation>
+    </message>
+    <message>
+        <source>join, bond, stick, weld, attach, fuse</source>
+        <translation>joindre, coller, souder, attacher</translation>
+    </message>
+    <message>
+        <source>cut, slice, blade, split, saw</source>
+        <translation>couper, trancher, lame, scier</translation>
+    </message>
+    <message>
+        <source>cheese wire, cut</source>
+        <translation>fil à couper, couper</translation>
+    </message>
+    <message>
+        <source>slice, split, saw, divide, halve</source>
+        <translation>trancher, scier, diviser, partager</translation>
+    </message>
+    <message>
+        <source>cross section, clip, cutaway, look inside</source>
+        <translation>coupe, section, voir dedans</translation>
+    </message>
+    <message>
+        <source>box, cube, punch, stamp</source>
+        <translation>cube, pavé, poinçon</translation>
+    </message>
+    <message>
+        <source>sphere, bead</source>
+        <translation>sphère, bille</translation>
+    </message>
+    <message>
+        <source>rolling pin, roll out</source>
+        <translation>rouleau à pâtisserie, étaler</translation>
+    </message>
+    <message>
+        <source>clamp, hold, anchor, pin, constrain, support, vise</source>
+        <translation>serrer, tenir, ancrer, bloquer, étau</translation>
+    </message>
+    <message>
+        <source>measure, ruler, length, gap, dimension, caliper</source>
+        <translation>mesurer, règle, longueur, écart, cote</translation>
+    </message>
+    <message>
+        <source>weight, mass, how heavy</source>
+        <translation>poids, masse, combien lourd</translation>
+    </message>
+    <message>
+        <source>size, extent, width, height</source>
+        <translation>taille, encombrement, largeur, hauteur</translation>
+    </message>
+    <message>
+        <source>difference, deviation, report</source>
+        <translation>différence, écart, rapport</translation>
+    </message>
+    <message>
+        <source>sensor, strain gauge</source>
+        <translation>capteur, jauge</translation>
+    </message>
+    <message>
+        <source>graph, chart, curve</source>
+        <translation>graphique, courbe</translation>
+    </message>
+    <message>
+        <source>CSV, spreadsheet, data</source>
+        <translation>CSV, tableur, données</translation>
+    </message>
+    <message>
+        <source>fall, drop, heavy</source>
+        <translation>tomber, chute, lourd</translation>
+    </message>
+    <message>
+        <source>ground, table</source>
+        <translation>sol, table</translation>
+    </message>
+    <message>
+        <source>run, start, simulate, pause, stop</source>
+        <translation>lancer, démarrer, simuler, pause, arrêter</translation>
+    </message>
+    <message>
+        <source>start over, rewind, restart</source>
+        <translation>recommencer, rembobiner</translation>
+    </message>
+    <message>
+        <source>equilibrium, settle, static</source>
+        <translation>repos, statique</translation>
+    </message>
+    <message>
+        <source>forget shape, accept shape</source>
+        <translation>oublier la forme, garder la forme</translation>
+    </message>
+    <message>
+        <source>remesh, resolution</source>
+        <translation>remailler, résolution</translation>
+    </message>
+    <message>
+        <source>real time, slow, faster</source>
+        <translation>temps réel, lent, plus vite</translation>
+    </message>
+    <message>
+        <source>help, manual, documentation, guide, how to</source>
+        <translation>aide, manuel, documentation, guide</translation>
+    </message>
+    <message>
+        <source>tutorial, learn, getting started, introduction, first steps</source>
+        <translation>tutoriel, apprendre, introduction, premiers pas</translation>
+    </message>
+    <message>
+        <source>hotkeys, key bindings, keymap</source>
+        <translation>touches, raccourcis, affectation des touches</translation>
+    </message>
+    <message>
+        <source>settings, options, language, units, translation</source>
+        <translation>options, réglages, langue, unités, traduction</translation>
+    </message>
+    <message>
+        <source>dark mode, night mode, black</source>
+        <translation>mode sombre, mode nuit, noir</translation>
+    </message>
+    <message>
+        <source>light mode, day mode, white</source>
+        <translation>mode clair, mode jour, blanc</translation>
+    </message>
+    <message>
+        <source>new document, second window</source>
+        <translation>nouveau document, seconde fenêtre</translation>
+    </message>
+    <message>
+        <source>home, start page, welcome, examples</source>
+        <translation>accueil, page de départ, exemples</translation>
+    </message>
+    <message>
+        <source>crash, restore, lost work, autosave</source>
+        <translation>plantage, récupérer, travail perdu</translation>
+    </message>
+    <message>
+        <source>delete, erase</source>
+        <translation>supprimer, effacer</translation>
+    </message>
+    <message>
+        <source>invisible, conceal</source>
+        <translation>invisible, masquer</translation>
+    </message>
+    <message>
+        <source>unhide, visible</source>
+        <translation>démasquer, visible</translation>
+    </message>
+    <message>
+        <source>only this, solo</source>
+        <translation>seul, uniquement</translation>
+    </message>
+    <message>
+        <source>spheres, particles</source>
+        <translation>sphères, particules</translation>
+    </message>
+    <message>
+        <source>lines, outline</source>
+        <translation>lignes, contour</translation>
+    </message>
+    <message>
+        <source>maximize, presentation</source>
+        <translation>agrandir, présentation</translation>
+    </message>
+    <message>
+        <source>version, license, credits</source>
+        <translation>version, licence, crédits</translation>
+    </message>
+    <message>
+        <source>search, find action</source>
+        <translation>chercher, trouver une action</translation>
+    </message>
+    <message>
+        <source>exit, close, leave</source>
+        <translation>fermer, sortir</translation>
+    </message>
+    <message>
+        <source>name, call</source>
+        <translation>nommer, nom</translation>
+    </message>
+    <message>
+        <source>paint, colour, tint</source>
+        <translation>peindre, teindre, couleur</translation>
+    </message>
+    <message>
+        <source>protect, freeze</source>
+        <translation>protéger, figer</translation>
+    </message>
+    <message>
+        <source>undeformed, ghost</source>
+        <translation>non déformée</translation>
+    </message>
+    <message>
+        <source>move, rotate, arrows, transform</source>
+        <translation>bouger, tourner, flèches</translation>
+    </message>
+    <message>
+        <source>WASD, keyboard control</source>
+        <translation>ZQSD, clavier</translation>
+    </message>
+    <message>
+        <source>3Dconnexion, SpaceMouse, joystick</source>
+        <translation>3Dconnexion, SpaceMouse, manette</translation>
+    </message>
+    <message>
+        <source>assembly, insert, merge</source>
+        <translation>assemblage, insérer</translation>
+    </message>
+    <message>
+        <source>threads, slow motion, speed</source>
+        <translation>threads, ralenti, vitesse</translation>
+    </message>
+    <message>
+        <source>fps, frame rate, profiler</source>
+        <translation>fps, images par seconde</translation>
+    </message>
+    <message>
+        <source>material, stiffness, rubber, steel</source>
+        <translation>matériau, rigidité, caoutchouc, acier</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -7973,6 +8450,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Double-click: go there</source>
         <translation>Double-clic&#xa0;: y aller</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1, étape %2</translation>
     </message>
 </context>
 <context>
@@ -8211,14 +8696,6 @@ Simulé&#xa0;: %2, pas %3
 <context>
     <name>Tour</name>
     <message>
-        <source>Tour of the window</source>
-        <translation>Visite de la fenêtre</translation>
-    </message>
-    <message>
-        <source>End tour</source>
-        <translation>Finir la visite</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Retour</translation>
     </message>
@@ -8227,60 +8704,56 @@ Simulé&#xa0;: %2, pas %3
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Suivant</translation>
+        <source>Skip</source>
+        <translation>Passer</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Fini</translation>
+        <source>Go on without doing this</source>
+        <translation>Continuer sans le faire</translation>
     </message>
     <message>
-        <source>Open a part</source>
-        <translation>Ouvrir une pièce</translation>
+        <source>End</source>
+        <translation>Terminer</translation>
     </message>
     <message>
-        <source>Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material at once.</source>
-        <translation>Déposez ici un fichier STEP, IGES ou de maillage, appuyez sur Ctrl+O, ou commencez par un exemple. Il est aussitôt rempli de matériau.</translation>
+        <source>End the tour; the part stays open</source>
+        <translation>Terminer la visite ; la pièce reste ouverte</translation>
     </message>
     <message>
-        <source>What there is</source>
-        <translation>Ce qu&apos;il y a</translation>
+        <source>Tour: %1</source>
+        <translation>Visite : %1</translation>
     </message>
     <message>
-        <source>Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too.</source>
-        <translation>Pièces, outils et fixations sont listés ici. Un clic choisit&#xa0;; ce qui est choisi se voit aussi dans la vue.</translation>
+        <source>Press</source>
+        <translation>Presser</translation>
     </message>
     <message>
-        <source>What it is made of</source>
-        <translation>De quoi c&apos;est fait</translation>
+        <source>Hold the left button on the clay: a thumb goes in for as long as you hold it.</source>
+        <translation>Maintenez le bouton gauche sur l&apos;argile : un pouce s&apos;enfonce tant que vous le tenez.</translation>
     </message>
     <message>
-        <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
-        <translation>Choisissez un matériau ou tapez ses nombres, en toute unité&#xa0;: 2 MPa, 0,5 mm, 1.2e3 kg/m³. L&apos;effet est immédiat, même en marche.</translation>
+        <source>Pull</source>
+        <translation>Tirer</translation>
     </message>
     <message>
-        <source>Hold, push, run</source>
-        <translation>Tenir, pousser, lancer</translation>
+        <source>Choose Pull material at the right of the view (%1). Then drag a corner of the clay outwards.</source>
+        <translation>Choisissez Tirer le matériau à droite de la vue (%1). Puis tirez un coin de l&apos;argile vers l&apos;extérieur.</translation>
     </message>
     <message>
-        <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
-        <translation>X fixe les faces que vous cliquez, B ajoute un bloc, Espace fait courir le temps. Tirez le bloc avec le bouton gauche ou conduisez-le avec les flèches&#xa0;; le bouton du milieu tourne la vue.</translation>
+        <source>Export</source>
+        <translation>Exporter</translation>
     </message>
     <message>
-        <source>Back and forth in time</source>
-        <translation>En avant et en arrière dans le temps</translation>
+        <source>Press %1 and write the clay as STEP or as a mesh, into a folder of your choice. Or skip this.</source>
+        <translation>Appuyez sur %1 et écrivez l&apos;argile en STEP ou en maillage, dans un dossier de votre choix. Ou passez.</translation>
     </message>
     <message>
-        <source>Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included.</source>
-        <translation>Glissez le long de la chronologie pour regarder en arrière. Ctrl+Z annule tout ce que vous avez fait, y compris ce qui a été simulé.</translation>
+        <source>That was all</source>
+        <translation>C&apos;est tout</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Tout le reste</translation>
-    </message>
-    <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
-        <translation>Ctrl+E exporte de nouveau la pièce en CAO. Ctrl+K trouve toute commande par quelques lettres, F1 ouvre le manuel, et le menu Aide répète cette visite.</translation>
+        <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
+        <translation>Ctrl+Z annule tout ce que vous avez fait. Ctrl+K trouve toute commande, F1 ouvre le manuel, et cette visite est dans le menu Aide.</translation>
     </message>
 </context>
 <context>
@@ -8429,10 +8902,44 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>ViewReading</name>
+    <message>
+        <source>Nothing is open</source>
+        <translation>Rien n&apos;est ouvert</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Rien n&apos;est sélectionné</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Sélection : %1</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+</context>
+<context>
     <name>ViewsFeature</name>
     <message>
         <source>Show two or four views first.</source>
         <translation>Montrez d&apos;abord deux ou quatre vues.</translation>
+    </message>
+</context>
+<context>
+    <name>WarningWatch</name>
+    <message>
+        <source>Fold</source>
+        <translation>Pli</translation>
+    </message>
+    <message>
+        <source>Wall %1, was %2</source>
+        <translation>Paroi %1, était %2</translation>
+    </message>
+    <message>
+        <source>Stretched to %1 % of breaking</source>
+        <translation>Étiré à %1 % de la rupture</translation>
     </message>
 </context>
 <context>

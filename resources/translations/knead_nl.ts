@@ -323,14 +323,6 @@
         <translation>Volledig scherm</translation>
     </message>
     <message>
-        <source>&amp;Tour of the window</source>
-        <translation>&amp;Rondleiding door het venster</translation>
-    </message>
-    <message>
-        <source>What is where, in a minute</source>
-        <translation>Wat waar zit, in een minuut</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>Muis en toetsen</translation>
     </message>
@@ -513,6 +505,30 @@
     <message>
         <source>Write what the view shows as a picture of any size</source>
         <translation>Wat het aanzicht toont als afbeelding van elke grootte schrijven</translation>
+    </message>
+    <message>
+        <source>Warnings in the view</source>
+        <translation>Waarschuwingen in het beeld</translation>
+    </message>
+    <message>
+        <source>Mark where the part is folded over itself, got thin or is about to break</source>
+        <translation>Markeren waar het onderdeel over zichzelf gevouwen is, dun werd of bijna breekt</translation>
+    </message>
+    <message>
+        <source>&amp;Tour on a block of clay</source>
+        <translation>&amp;Rondleiding met een blok klei</translation>
+    </message>
+    <message>
+        <source>Press it, pull it, export it: in two minutes</source>
+        <translation>Drukken, trekken, exporteren: in twee minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;luiten</translation>
+    </message>
+    <message>
+        <source>Back to the first page with nothing open; what is not saved is asked about</source>
+        <translation>Terug naar de eerste pagina met niets open; naar wat niet is opgeslagen wordt gevraagd</translation>
     </message>
 </context>
 <context>
@@ -777,6 +793,25 @@
     </message>
 </context>
 <context>
+    <name>Curvature</name>
+    <message>
+        <source>Curvature</source>
+        <translation>Kromming</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>hol</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>vlak</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>bol</translation>
+    </message>
+</context>
+<context>
     <name>Cut</name>
     <message>
         <source>A cut needs a plane: a point, and a normal that is not zero.</source>
@@ -965,6 +1000,38 @@
         <source>Shading</source>
         <translation>Schaduwering</translation>
     </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Kromming</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Chrome</source>
+        <translation>Chroom</translation>
+    </message>
+    <message>
+        <source>Porcelain</source>
+        <translation>Porselein</translation>
+    </message>
+    <message>
+        <source>Blue where parts are hollow, white where they are flat, orange where they bulge</source>
+        <translation>Blauw waar onderdelen hol zijn, wit waar ze vlak zijn, oranje waar ze bol zijn</translation>
+    </message>
+    <message>
+        <source>Parts are soft and shine through at their rims</source>
+        <translation>Onderdelen ogen zacht en schijnen aan hun randen door</translation>
+    </message>
+    <message>
+        <source>All parts mirror a sky and the ground, which shows every dent</source>
+        <translation>Alle onderdelen spiegelen een lucht en de grond, wat elke deuk laat zien</translation>
+    </message>
+    <message>
+        <source>All parts are white and glazed</source>
+        <translation>Alle onderdelen zijn wit en geglazuurd</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -1031,6 +1098,10 @@
     <message>
         <source>Shading</source>
         <translation>Schaduwering</translation>
+    </message>
+    <message>
+        <source>Place of the section plane</source>
+        <translation>Plaats van het doorsnedevlak</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1952,10 @@
         <source>One of %1 parts is not sound.</source>
         <translation>Een van de %1 onderdelen is niet in orde.</translation>
     </message>
+    <message>
+        <source>Exported parts</source>
+        <translation>Geëxporteerde onderdelen</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2534,6 +2609,14 @@
         <source>What is far from a brush is held as by the other hand, where nothing else holds the part</source>
         <translation>Wat ver van het penseel ligt, wordt als met de andere hand vastgehouden, waar niets anders het onderdeel vasthoudt</translation>
     </message>
+    <message>
+        <source>Forces of brushes, too</source>
+        <translation>Ook krachten van penselen</translation>
+    </message>
+    <message>
+        <source>Fingers and grips of brushes have lines in the plot and columns in the table, too</source>
+        <translation>Ook vingers en grepen van penselen hebben lijnen in de grafiek en kolommen in de tabel</translation>
+    </message>
 </context>
 <context>
     <name>HandsFeature</name>
@@ -2818,6 +2901,10 @@ Gesimuleerd: %2, stap %3
         <source>Mark as key moment</source>
         <translation>Als sleutelmoment merken</translation>
     </message>
+    <message>
+        <source>Memory of the history</source>
+        <translation>Geheugen van de geschiedenis</translation>
+    </message>
 </context>
 <context>
     <name>HomePage</name>
@@ -2848,6 +2935,18 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Begin with an example</source>
         <translation>Met een voorbeeld beginnen</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Probeer het</translation>
+    </message>
+    <message>
+        <source>Try it: press a thumb into clay</source>
+        <translation>Probeer het: druk een duim in klei</translation>
+    </message>
+    <message>
+        <source>A block of clay opens. Hold the left button on it; then pull it, and export it. Two minutes.</source>
+        <translation>Er opent een blok klei. Houd de linkerknop erop ingedrukt; trek er dan aan en exporteer het. Twee minuten.</translation>
     </message>
 </context>
 <context>
@@ -3651,6 +3750,10 @@ Gesimuleerd: %2, stap %3
         <source>Nothing was wrong with this file.</source>
         <translation>Er was niets mis met dit bestand.</translation>
     </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Opmerkingen</translation>
+    </message>
 </context>
 <context>
     <name>KeyCards</name>
@@ -3706,6 +3809,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Error: %1</source>
         <translation>Fout: %1</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Logboek</translation>
     </message>
 </context>
 <context>
@@ -4366,6 +4473,10 @@ Gesimuleerd: %2, stap %3
         <source>Reading</source>
         <translation>Meetwaarde</translation>
     </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Metingen</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -4727,6 +4838,10 @@ Gesimuleerd: %2, stap %3
         <source>Color of %1 parts</source>
         <translation>Kleur van %1 onderdelen</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
 </context>
 <context>
     <name>ModelTreeDelegate</name>
@@ -4906,6 +5021,10 @@ Gesimuleerd: %2, stap %3
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 miljoen verbindingen per seconde, %2 objecten</translation>
     </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Tijd van een beeld</translation>
+    </message>
 </context>
 <context>
     <name>PickTool</name>
@@ -5029,6 +5148,17 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1: picture saved.</source>
         <translation>%1: afbeelding opgeslagen.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceRows</name>
+    <message>
+        <source>Show me</source>
+        <translation>Toon</translation>
+    </message>
+    <message>
+        <source>Look there in the view (Enter)</source>
+        <translation>In het beeld daarheen kijken (Enter)</translation>
     </message>
 </context>
 <context>
@@ -5233,6 +5363,22 @@ Gesimuleerd: %2, stap %3
         <source>Which buttons orbit, pan and zoom; the status bar tells. The wheel zooms to the cursor.</source>
         <translation>Welke knoppen draaien, schuiven en zoomen; de statusbalk zegt het. Het wiel zoomt naar de aanwijzer.</translation>
     </message>
+    <message>
+        <source>Text size</source>
+        <translation>Tekstgrootte</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>125 %</source>
+        <translation>125 %</translation>
+    </message>
+    <message>
+        <source>150 %</source>
+        <translation>150 %</translation>
+    </message>
 </context>
 <context>
     <name>PressHand</name>
@@ -5314,6 +5460,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>All tools</source>
         <translation>Al het gereedschap</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Meetpunten</translation>
     </message>
 </context>
 <context>
@@ -5745,6 +5895,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>E&amp;xamples</source>
         <translation>Voor&amp;beelden</translation>
+    </message>
+    <message>
+        <source>Closed %1.</source>
+        <translation>%1 gesloten.</translation>
     </message>
 </context>
 <context>
@@ -7270,6 +7424,10 @@ Gesimuleerd: %2, stap %3
         <source>A selection needs a name: type one, then save it.</source>
         <translation>Een selectie heeft een naam nodig: typ er een en sla haar dan op.</translation>
     </message>
+    <message>
+        <source>Name of the selection</source>
+        <translation>Naam van de selectie</translation>
+    </message>
 </context>
 <context>
     <name>Shortcuts</name>
@@ -7897,6 +8055,325 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Synonyms</name>
+    <message>
+        <source>revert, back, take back, mistake</source>
+        <translation>terug, terugdraaien, fout</translation>
+    </message>
+    <message>
+        <source>again, forward, repeat</source>
+        <translation>nogmaals, vooruit, herhalen</translation>
+    </message>
+    <message>
+        <source>load, import, file, read</source>
+        <translation>laden, importeren, bestand, lezen</translation>
+    </message>
+    <message>
+        <source>write, store, keep, project</source>
+        <translation>bewaren, schrijven, project</translation>
+    </message>
+    <message>
+        <source>write as, copy, duplicate</source>
+        <translation>bewaren als, kopie</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, STL, mesh, 3D print, print, write, convert, CAD</source>
+        <translation>STEP, IGES, STL, net, 3D-print, afdrukken, schrijven, omzetten, CAD</translation>
+    </message>
+    <message>
+        <source>script, macro, batch, automate</source>
+        <translation>script, macro, automatiseren</translation>
+    </message>
+    <message>
+        <source>screenshot, image, photo, snapshot, PNG, JPEG, render</source>
+        <translation>schermafbeelding, schermafdruk, foto, PNG, JPEG</translation>
+    </message>
+    <message>
+        <source>movie, film, animation, screencast, clip</source>
+        <translation>film, animatie, schermopname</translation>
+    </message>
+    <message>
+        <source>frames, image sequence</source>
+        <translation>beeldjes, reeks beelden</translation>
+    </message>
+    <message>
+        <source>demo, show me</source>
+        <translation>demonstratie, laat zien</translation>
+    </message>
+    <message>
+        <source>push, squeeze, poke</source>
+        <translation>duwen, persen</translation>
+    </message>
+    <message>
+        <source>drag, tug, stretch, grab</source>
+        <translation>slepen, rekken, grijpen</translation>
+    </message>
+    <message>
+        <source>sculpt, mold, mould, clay, knead, dent, finger, groove</source>
+        <translation>boetseren, vormen, klei, kneden, deuk, vinger, groef</translation>
+    </message>
+    <message>
+        <source>polish, even out, relax</source>
+        <translation>polijsten, effenen</translation>
+    </message>
+    <message>
+        <source>flat, plane, iron</source>
+        <translation>vlak, plat, strijken</translation>
+    </message>
+    <message>
+        <source>crease, ridge, gather</source>
+        <translation>knijpen, richel, plooi</translation>
+    </message>
+    <message>
+        <source>smudge, spread</source>
+        <translation>uitsmeren, vegen</translation>
+    </message>
+    <message>
+        <source>fold, curve</source>
+        <translation>vouwen, krommen</translation>
+    </message>
+    <message>
+        <source>wring, turn, screw</source>
+        <translation>wringen, draaien</translation>
+    </message>
+    <message>
+        <source>mirror, both sides</source>
+        <translation>spiegelen, beide kanten</translation>
+    </message>
+    <message>
+        <source>orbit, rotate view, turn view, pan, navigate, gestures</source>
+        <translation>orbit, beeld draaien, verschuiven, navigeren</translation>
+    </message>
+    <message>
+        <source>zoom, zoom to fit, center, frame, whole part</source>
+        <translation>zoom, inzoomen, centreren, hele onderdeel</translation>
+    </message>
+    <message>
+        <source>3D view, default view</source>
+        <translation>3D-beeld, standaardbeeld</translation>
+    </message>
+    <message>
+        <source>orthographic, parallel, projection</source>
+        <translation>orthografisch, parallel, projectie</translation>
+    </message>
+    <message>
+        <source>join, bond, stick, weld, attach, fuse</source>
+        <translation>verbinden, plakken, lassen, vastmaken</translation>
+    </message>
+    <message>
+        <source>cut, slice, blade, split, saw</source>
+        <translation>snijden, mes, lemmet, zagen</translation>
+    </message>
+    <message>
+        <source>cheese wire, cut</source>
+        <translation>snijdraad, snijden</translation>
+    </message>
+    <message>
+        <source>slice, split, saw, divide, halve</source>
+        <translation>snijden, splitsen, zagen, delen</translation>
+    </message>
+    <message>
+        <source>cross section, clip, cutaway, look inside</source>
+        <translation>doorsnede, binnenin kijken</translation>
+    </message>
+    <message>
+        <source>box, cube, punch, stamp</source>
+        <translation>kubus, stempel</translation>
+    </message>
+    <message>
+        <source>sphere, bead</source>
+        <translation>bol, knikker</translation>
+    </message>
+    <message>
+        <source>rolling pin, roll out</source>
+        <translation>deegroller, uitrollen</translation>
+    </message>
+    <message>
+        <source>clamp, hold, anchor, pin, constrain, support, vise</source>
+        <translation>inklemmen, vasthouden, verankeren, bankschroef</translation>
+    </message>
+    <message>
+        <source>measure, ruler, length, gap, dimension, caliper</source>
+        <translation>meten, liniaal, lengte, spleet, maat</translation>
+    </message>
+    <message>
+        <source>weight, mass, how heavy</source>
+        <translation>gewicht, massa, hoe zwaar</translation>
+    </message>
+    <message>
+        <source>size, extent, width, height</source>
+        <translation>grootte, afmeting, breedte, hoogte</translation>
+    </message>
+    <message>
+        <source>difference, deviation, report</source>
+        <translation>verschil, afwijking, rapport</translation>
+    </message>
+    <message>
+        <source>sensor, strain gauge</source>
+        <translation>sensor, rekstrookje</translation>
+    </message>
+    <message>
+        <source>graph, chart, curve</source>
+        <translation>grafiek, kromme</translation>
+    </message>
+    <message>
+        <source>CSV, spreadsheet, data</source>
+        <translation>CSV, rekenblad, gegevens</translation>
+    </message>
+    <message>
+        <source>fall, drop, heavy</source>
+        <translation>vallen, zwaar</translation>
+    </message>
+    <message>
+        <source>ground, table</source>
+        <translation>grond, tafel</translation>
+    </message>
+    <message>
+        <source>run, start, simulate, pause, stop</source>
+        <translation>starten, simuleren, pauze, stoppen</translation>
+    </message>
+    <message>
+        <source>start over, rewind, restart</source>
+        <translation>opnieuw beginnen, terugspoelen</translation>
+    </message>
+    <message>
+        <source>equilibrium, settle, static</source>
+        <translation>evenwicht, statisch</translation>
+    </message>
+    <message>
+        <source>forget shape, accept shape</source>
+        <translation>vorm vergeten, vorm aanvaarden</translation>
+    </message>
+    <message>
+        <source>remesh, resolution</source>
+        <translation>opnieuw vernetten, resolutie</translation>
+    </message>
+    <message>
+        <source>real time, slow, faster</source>
+        <translation>langzaam, sneller</translation>
+    </message>
+    <message>
+        <source>help, manual, documentation, guide, how to</source>
+        <translation>hulp, handleiding, documentatie, gids</translation>
+    </message>
+    <message>
+        <source>tutorial, learn, getting started, introduction, first steps</source>
+        <translation>tutorial, leren, inleiding, eerste stappen</translation>
+    </message>
+    <message>
+        <source>hotkeys, key bindings, keymap</source>
+        <translation>sneltoetsen, toetsen</translation>
+    </message>
+    <message>
+        <source>settings, options, language, units, translation</source>
+        <translation>instellingen, opties, taal, eenheden, vertaling</translation>
+    </message>
+    <message>
+        <source>dark mode, night mode, black</source>
+        <translation>donkere modus, nachtmodus, zwart</translation>
+    </message>
+    <message>
+        <source>light mode, day mode, white</source>
+        <translation>lichte modus, dagmodus, wit</translation>
+    </message>
+    <message>
+        <source>new document, second window</source>
+        <translation>nieuw document, tweede venster</translation>
+    </message>
+    <message>
+        <source>home, start page, welcome, examples</source>
+        <translation>startpagina, welkom, voorbeelden</translation>
+    </message>
+    <message>
+        <source>crash, restore, lost work, autosave</source>
+        <translation>crash, terughalen, verloren werk</translation>
+    </message>
+    <message>
+        <source>delete, erase</source>
+        <translation>wissen, weghalen</translation>
+    </message>
+    <message>
+        <source>invisible, conceal</source>
+        <translation>onzichtbaar, verbergen</translation>
+    </message>
+    <message>
+        <source>unhide, visible</source>
+        <translation>zichtbaar</translation>
+    </message>
+    <message>
+        <source>only this, solo</source>
+        <translation>alleen dit</translation>
+    </message>
+    <message>
+        <source>spheres, particles</source>
+        <translation>bollen, deeltjes</translation>
+    </message>
+    <message>
+        <source>lines, outline</source>
+        <translation>lijnen, omtrek</translation>
+    </message>
+    <message>
+        <source>maximize, presentation</source>
+        <translation>maximaliseren, presentatie</translation>
+    </message>
+    <message>
+        <source>version, license, credits</source>
+        <translation>versie, licentie</translation>
+    </message>
+    <message>
+        <source>search, find action</source>
+        <translation>zoeken, actie vinden</translation>
+    </message>
+    <message>
+        <source>exit, close, leave</source>
+        <translation>sluiten, verlaten</translation>
+    </message>
+    <message>
+        <source>name, call</source>
+        <translation>noemen, naam</translation>
+    </message>
+    <message>
+        <source>paint, colour, tint</source>
+        <translation>verven, kleuren</translation>
+    </message>
+    <message>
+        <source>protect, freeze</source>
+        <translation>beschermen, bevriezen</translation>
+    </message>
+    <message>
+        <source>undeformed, ghost</source>
+        <translation>onvervormd</translation>
+    </message>
+    <message>
+        <source>move, rotate, arrows, transform</source>
+        <translation>bewegen, draaien, pijlen</translation>
+    </message>
+    <message>
+        <source>WASD, keyboard control</source>
+        <translation>WASD, toetsenbord</translation>
+    </message>
+    <message>
+        <source>3Dconnexion, SpaceMouse, joystick</source>
+        <translation>3Dconnexion, SpaceMouse, joystick</translation>
+    </message>
+    <message>
+        <source>assembly, insert, merge</source>
+        <translation>samenstelling, invoegen</translation>
+    </message>
+    <message>
+        <source>threads, slow motion, speed</source>
+        <translation>threads, slow motion, snelheid</translation>
+    </message>
+    <message>
+        <source>fps, frame rate, profiler</source>
+        <translation>fps, beeldsnelheid</translation>
+    </message>
+    <message>
+        <source>material, stiffness, rubber, steel</source>
+        <translation>materiaal, stijfheid, rubber, staal</translation>
+    </message>
+</context>
+<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -7973,6 +8450,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Double-click: go there</source>
         <translation>Dubbelklik: daarheen gaan</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Tijdlijn</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1, stap %2</translation>
     </message>
 </context>
 <context>
@@ -8211,14 +8696,6 @@ Gesimuleerd: %2, stap %3
 <context>
     <name>Tour</name>
     <message>
-        <source>Tour of the window</source>
-        <translation>Rondleiding door het venster</translation>
-    </message>
-    <message>
-        <source>End tour</source>
-        <translation>Rondleiding stoppen</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Terug</translation>
     </message>
@@ -8227,60 +8704,56 @@ Gesimuleerd: %2, stap %3
         <translation>%1 van %2</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Volgende</translation>
+        <source>Skip</source>
+        <translation>Overslaan</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Klaar</translation>
+        <source>Go on without doing this</source>
+        <translation>Doorgaan zonder dit te doen</translation>
     </message>
     <message>
-        <source>Open a part</source>
-        <translation>Een onderdeel openen</translation>
+        <source>End</source>
+        <translation>Beëindigen</translation>
     </message>
     <message>
-        <source>Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material at once.</source>
-        <translation>Laat hier een STEP-, IGES- of netbestand vallen, druk op Ctrl+O, of begin met een voorbeeld. Het wordt meteen met materiaal gevuld.</translation>
+        <source>End the tour; the part stays open</source>
+        <translation>De rondleiding beëindigen; het onderdeel blijft open</translation>
     </message>
     <message>
-        <source>What there is</source>
-        <translation>Wat er is</translation>
+        <source>Tour: %1</source>
+        <translation>Rondleiding: %1</translation>
     </message>
     <message>
-        <source>Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too.</source>
-        <translation>Onderdelen, gereedschap en inklemmingen staan hier. Een klik kiest; het gekozene is ook in het aanzicht te zien.</translation>
+        <source>Press</source>
+        <translation>Drukken</translation>
     </message>
     <message>
-        <source>What it is made of</source>
-        <translation>Waarvan het gemaakt is</translation>
+        <source>Hold the left button on the clay: a thumb goes in for as long as you hold it.</source>
+        <translation>Houd de linkerknop op de klei ingedrukt: een duim gaat erin zolang u hem vasthoudt.</translation>
     </message>
     <message>
-        <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
-        <translation>Kies een materiaal of typ de getallen, in elke eenheid: 2 MPa, 0,5 mm, 1.2e3 kg/m³. Het werkt terwijl de tijd loopt.</translation>
+        <source>Pull</source>
+        <translation>Trekken</translation>
     </message>
     <message>
-        <source>Hold, push, run</source>
-        <translation>Vasthouden, duwen, laten lopen</translation>
+        <source>Choose Pull material at the right of the view (%1). Then drag a corner of the clay outwards.</source>
+        <translation>Kies Aan materiaal trekken rechts van het beeld (%1). Sleep dan een hoek van de klei naar buiten.</translation>
     </message>
     <message>
-        <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
-        <translation>X zet vlakken vast die u aanklikt, B voegt een blok toe, Spatie laat de tijd lopen. Sleep het blok met de linkerknop of rijd het met de pijltoetsen; de middelste knop draait het aanzicht.</translation>
+        <source>Export</source>
+        <translation>Exporteren</translation>
     </message>
     <message>
-        <source>Back and forth in time</source>
-        <translation>Heen en terug in de tijd</translation>
+        <source>Press %1 and write the clay as STEP or as a mesh, into a folder of your choice. Or skip this.</source>
+        <translation>Druk op %1 en schrijf de klei als STEP of als net, in een map naar keuze. Of sla dit over.</translation>
     </message>
     <message>
-        <source>Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included.</source>
-        <translation>Sleep langs de tijdlijn om terug te blikken. Ctrl+Z maakt ongedaan wat u ook deed, ook wat gesimuleerd werd.</translation>
+        <source>That was all</source>
+        <translation>Dat was alles</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Al het andere</translation>
-    </message>
-    <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
-        <translation>Ctrl+E exporteert het onderdeel weer als CAD. Ctrl+K vindt elke opdracht met een paar letters, F1 opent het handboek, en het menu Help herhaalt deze rondleiding.</translation>
+        <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
+        <translation>Ctrl+Z neemt terug wat u ook deed. Ctrl+K vindt elke opdracht, F1 opent het handboek, en deze rondleiding staat in het menu Help.</translation>
     </message>
 </context>
 <context>
@@ -8429,10 +8902,44 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>ViewReading</name>
+    <message>
+        <source>Nothing is open</source>
+        <translation>Er is niets geopend</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Er is niets geselecteerd</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Geselecteerd: %1</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-weergave</translation>
+    </message>
+</context>
+<context>
     <name>ViewsFeature</name>
     <message>
         <source>Show two or four views first.</source>
         <translation>Toon eerst twee of vier aanzichten.</translation>
+    </message>
+</context>
+<context>
+    <name>WarningWatch</name>
+    <message>
+        <source>Fold</source>
+        <translation>Vouw</translation>
+    </message>
+    <message>
+        <source>Wall %1, was %2</source>
+        <translation>Wand %1, was %2</translation>
+    </message>
+    <message>
+        <source>Stretched to %1 % of breaking</source>
+        <translation>Gerekt tot %1 % van breuk</translation>
     </message>
 </context>
 <context>
