@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace knead {
@@ -23,9 +24,9 @@ namespace {
 constexpr std::size_t mostTrianglesDrawn = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
-/// A body that is cracked or in pieces, as the window shows it: with the sides of its cracks, and
-/// nothing across open ones.
-TriangleMesh crackedSurface(const PartToExport& part, TaskControl& control)
+/// A body that is cracked or in pieces, as the window shows it: with the sides of its cracks, and nothing across open ones.
+/// @return nothing where what broke is too little for a crack
+std::optional<TriangleMesh> crackedSurface(const PartToExport& part, TaskControl& control)
 {
     auto whole = std::make_shared<FilledBody>();
     whole->mesh = refine(part.part.mesh, part.aggregate->lattice.spacing, mostTrianglesDrawn);
@@ -38,6 +39,8 @@ TriangleMesh crackedSurface(const PartToExport& part, TaskControl& control)
     std::ranges::transform(positions, part.displacements, positions.begin(), std::plus<>());
     snapshot->bodies.push_back({.positions = std::move(positions), .aggregate = part.aggregate, .broken = part.broken});
     const FramePointer frame = prepareFrame({whole}, std::move(snapshot), nullptr);
+    if (!frame->filled[0]->whole)
+        return std::nullopt;
     TriangleMesh mesh = frame->filled[0]->mesh;
     mesh.vertices = frame->bodies[0]->places;
     const std::vector<std::uint32_t>& across = frame->bodies[0]->acrossCracks;
@@ -64,12 +67,14 @@ std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
         body.faceColors = faceColorsOf(part.part);
         if (part.aggregate == nullptr)
             body.mesh = part.part.mesh;
-        else if ((part.broken && !part.broken->empty()) ||
-                 (part.aggregate->former && part.aggregate->former->isInPieces()))
-            body.mesh = crackedSurface(part, control);
-        else
-            body.mesh =
-                deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTrianglesDrawn, control);
+        else {
+            const bool isBroken = (part.broken && !part.broken->empty()) ||
+                                  (part.aggregate->former && part.aggregate->former->isInPieces());
+            std::optional<TriangleMesh> cracked = isBroken ? crackedSurface(part, control) : std::nullopt;
+            body.mesh = cracked ? std::move(*cracked)
+                                : deformedSurface(part.part.mesh, *part.aggregate, part.displacements,
+                                                  mostTrianglesDrawn, control);
+        }
     }
     return bodies;
 }

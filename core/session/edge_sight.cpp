@@ -36,6 +36,9 @@ EdgeSight::EdgeSight(const RenderMesh& mesh)
                 first = triangle;
             second = triangle;
         }
+    for (std::size_t e = 0; e < found.size(); ++e)
+        if (found[e] != 2)
+            m_sides[e] = {}; // at a rim, or where solids touch: a triangle without a size always counts as seen
 }
 
 std::vector<bool> EdgeSight::seenFrom(std::span<const float> points, const std::optional<Vec3>& eye,

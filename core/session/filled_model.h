@@ -56,10 +56,11 @@ std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>
 std::shared_ptr<const FilledBody> tornLately(const std::shared_ptr<const FilledBody>& filled,
                                              const std::shared_ptr<const std::vector<BrokenConnection>>& broken);
 
-/// Whether two have the same surface, so that places on the one are places on the other.
+/// Whether two have the same surface, so that places on the one are places on the other. Bodies of another opened file, or of the
+/// same one filled by another command, have not.
 inline bool haveSameSurface(const FilledBody& one, const FilledBody& other)
 {
-    return one.part == other.part && (&one == &other || (!one.whole && !other.whole));
+    return one.part == other.part && one.fillings == other.fillings && (&one == &other || (!one.whole && !other.whole));
 }
 
 /// The surface of a body at one moment.

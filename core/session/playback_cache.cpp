@@ -221,6 +221,8 @@ BrokenPointer brokenBetween(const BrokenPointer& before, const BrokenPointer& af
         return after;
     if (!after || after->empty())
         return before;
+    if (before->size() <= after->size() && std::equal(before->begin(), before->end(), after->begin()))
+        return after; // more broke
     std::set<ConnectionId> known(after->begin(), after->end());
     std::vector<BrokenConnection> healed;
     for (const BrokenConnection& one : *before)

@@ -523,7 +523,7 @@
         <translation>Drücken, ziehen, exportieren: in zwei Minuten</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
+        <source>C&amp;lose</source>
         <translation>S&amp;chließen</translation>
     </message>
     <message>

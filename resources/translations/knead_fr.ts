@@ -476,7 +476,7 @@
     </message>
     <message>
         <source>&amp;New window</source>
-        <translation>Nouvelle &amp;fenêtre</translation>
+        <translation>Nouvelle fenê&amp;tre</translation>
     </message>
     <message>
         <source>Begin something else; what is open here stays</source>
@@ -523,7 +523,7 @@
         <translation>Presser, tirer, exporter : en deux minutes</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
+        <source>C&amp;lose</source>
         <translation>&amp;Fermer</translation>
     </message>
     <message>

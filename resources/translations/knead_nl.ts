@@ -523,7 +523,7 @@
         <translation>Drukken, trekken, exporteren: in twee minuten</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
+        <source>C&amp;lose</source>
         <translation>S&amp;luiten</translation>
     </message>
     <message>

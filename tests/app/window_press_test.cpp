@@ -90,7 +90,8 @@ class WindowPressTest : public QObject, HistoryOnTest {
 
     void goesTo(int step)
     {
-        QVERIFY2(comesTrue([&] { return tour() != nullptr && tour()->step() == step; }), qPrintable(title()));
+        QVERIFY2(comesTrue([&] { return tour() != nullptr && tour()->step() == step; }),
+                 qPrintable(tour() != nullptr ? title() : QString("it has ended")));
     }
 
 private slots:

@@ -43,23 +43,33 @@ QList<QToolButton*> StripKeys::buttons() const
     return all;
 }
 
-/// Tab stops at the first button until arrows lead to another.
 void StripKeys::take(QToolButton& button)
 {
-    const QList<QToolButton*> all = buttons();
-    if (!all.contains(&button))
+    if (!buttons().contains(&button))
         return;
-    const bool isStop = std::ranges::none_of(
-        all, [&](const QToolButton* one) { return one != &button && one->focusPolicy() == Qt::TabFocus; });
-    button.setFocusPolicy(isStop ? Qt::TabFocus : Qt::NoFocus);
+    if (&button != m_stop)
+        button.setFocusPolicy(Qt::NoFocus);
     button.installEventFilter(this);
+    chooseStop();
+}
+
+/// Tab stops at the first button that can be pressed until arrows lead to another; at the first again once that one cannot.
+void StripKeys::chooseStop()
+{
+    const auto canBePressed = [](const QToolButton* button) { return button->isEnabled() && !button->isHidden(); };
+    if (m_stop && canBePressed(m_stop))
+        return;
+    const QList<QToolButton*> all = buttons();
+    if (const auto first = std::ranges::find_if(all, canBePressed); first != all.end())
+        makeStop(**first);
 }
 
 void StripKeys::makeStop(QToolButton& button)
 {
-    for (QToolButton* one : buttons())
-        one->setFocusPolicy(one == &button ? Qt::TabFocus : Qt::NoFocus);
-    button.setFocus(Qt::TabFocusReason);
+    if (m_stop)
+        m_stop->setFocusPolicy(Qt::NoFocus);
+    m_stop = &button;
+    button.setFocusPolicy(Qt::TabFocus);
 }
 
 /// Past what cannot be pressed now, and not beyond the ends.
@@ -70,8 +80,10 @@ void StripKeys::move(const QToolButton& from, int by)
     do
         at += by;
     while (at >= 0 && at < all.size() && (!all[at]->isEnabled() || !all[at]->isVisible()));
-    if (at >= 0 && at < all.size())
-        makeStop(*all[at]);
+    if (at < 0 || at >= all.size())
+        return;
+    makeStop(*all[at]);
+    all[at]->setFocus(Qt::TabFocusReason);
 }
 
 bool StripKeys::eventFilter(QObject* watched, QEvent* event)
@@ -80,6 +92,9 @@ bool StripKeys::eventFilter(QObject* watched, QEvent* event)
         if (auto* button = qobject_cast<QToolButton*>(static_cast<QChildEvent*>(event)->child()))
             take(*button);
     auto* button = qobject_cast<QToolButton*>(watched);
+    if (button != nullptr && (event->type() == QEvent::EnabledChange || event->type() == QEvent::HideToParent ||
+                              event->type() == QEvent::ShowToParent))
+        chooseStop();
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     if (button == nullptr || !isKey || !isKeyOfStrip(*static_cast<QKeyEvent*>(event)))
         return QObject::eventFilter(watched, event);

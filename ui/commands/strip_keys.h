@@ -2,8 +2,9 @@
 
 #include <QList>
 #include <QObject>
+#include <QPointer>
+#include <QToolButton>
 
-class QToolButton;
 class QWidget;
 
 namespace knead {
@@ -21,11 +22,13 @@ protected:
 
 private:
     void take(QToolButton& button);
+    void chooseStop();
     void makeStop(QToolButton& button);
     void move(const QToolButton& from, int by);
     QList<QToolButton*> buttons() const;
 
     QWidget& m_strip;
+    QPointer<QToolButton> m_stop; ///< at which Tab stops
 };
 
 } // namespace knead

@@ -72,6 +72,8 @@ void Document::standStill()
 
 void Document::whenSettled(std::function<void()> action)
 {
+    if (isEmpty())
+        return;
     if (!isGoing())
         finishGesture();
     m_whenSettled.push_back(std::move(action));
@@ -89,8 +91,8 @@ void Document::tellSettled()
 
 void Document::takeRequests()
 {
-    if (!m_history.isSettled())
-        return; // called again when it is
+    if (!m_history.isSettled() || m_history.isEmpty())
+        return; // called again when it is; where nothing is open there is nowhere to go
     const std::vector<Request> requests = std::exchange(m_requests, {});
     for (const Request& request : requests)
         if (const std::optional<Entry> entry = request(m_history.tree()))

@@ -1,5 +1,6 @@
 #include "ui/document/warning_watch.h"
 
+#include "core/geometry/mass_properties.h"
 #include "ui/document/fold_watch.h"
 #include "ui/units.h"
 
@@ -34,7 +35,8 @@ public:
                 continue;
             OfBody one{.body = b, .wall = {}, .stretch = mostOverstretched(state, control)};
             if (!body.whole)
-                one.wall = wallsOf(b, body, control).thinnest(places, body.aggregate->lattice.spacing, control);
+                if (const Known& known = knownOf(b, body, control); known.walls)
+                    one.wall = known.walls->thinnest(places, body.aggregate->lattice.spacing, control);
             if (one.wall || one.stretch)
                 all.push_back(one);
         }
@@ -44,16 +46,19 @@ public:
 private:
     struct Known {
         TriangleMesh rest;
-        WallChange walls;
+        std::optional<WallChange> walls; ///< of closed surfaces
     };
 
-    const WallChange& wallsOf(BodyId id, const FilledBody& body, TaskControl& control)
+    const Known& knownOf(BodyId id, const FilledBody& body, TaskControl& control)
     {
         const auto found = m_known.find(id);
         if (found != m_known.end() && found->second.rest.vertices == body.mesh.vertices &&
             found->second.rest.triangles == body.mesh.triangles)
-            return found->second.walls;
-        return m_known.insert_or_assign(id, Known{body.mesh, WallChange(body.mesh, control)}).first->second.walls;
+            return found->second;
+        Known known{.rest = body.mesh, .walls = {}};
+        if (isWatertight(body.mesh))
+            known.walls.emplace(body.mesh, control);
+        return m_known.insert_or_assign(id, std::move(known)).first->second;
     }
 
     std::map<BodyId, Known> m_known;
@@ -127,7 +132,8 @@ void WarningWatch::addFound(const OfBody& one, const Frame& now, std::vector<Pla
                            .arg(formatReading(one.wall->thickness, Quantity::Length),
                                 formatReading(one.wall->atRest, Quantity::Length))});
     const Snapshot::BodyState& state = now.snapshot->bodies[one.body];
-    if (one.stretch && state.aggregate == m_frame->snapshot->bodies[one.body].aggregate)
+    const Snapshot::BodyState& found = m_frame->snapshot->bodies[one.body];
+    if (one.stretch && state.aggregate == found.aggregate && state.broken == found.broken) // what broke is relaxed
         all.push_back({PlaceWarning::Kind::stretch, one.body, state.positions[one.stretch->object],
                        tr("Stretched to %1 % of breaking").arg(qRound(100 * one.stretch->share))});
 }

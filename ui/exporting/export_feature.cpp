@@ -35,6 +35,10 @@ ExportFeature::ExportFeature(const Workbench& bench)
     bench.availability.needBodies({m_action});
     connect(m_action, &QAction::triggered, this, &ExportFeature::askForExport);
     connect(m_panel, &ExportPanel::placeWanted, this, &ExportFeature::placeWanted);
+    connect(&m_bench.document, &Document::changed, this, [this](Document::Change what) {
+        if (what == Document::Change::Model && m_bench.document.content().model != m_exported)
+            m_panel->forgetPlaces(); // they were in another part
+    });
 }
 
 void ExportFeature::askForExport()
@@ -157,13 +161,15 @@ std::optional<ReportPlace> ExportFeature::placeOf(const PartExportReport& part) 
 
 void ExportFeature::showExport(const std::vector<ExportReport>& reports)
 {
+    m_exported = m_bench.document.content().model;
     m_panel->show(reports, [this](const PartExportReport& part) { return placeOf(part); });
     m_bench.docks.show("exportDock");
     for (const ExportReport& report : reports) {
         m_bench.document.notes().noteExport(report.file, static_cast<double>(QDateTime::currentSecsSinceEpoch()));
         const auto parts = report.parts.size();
-        m_bench.notices.note((parts == 1 ? tr("Exported 1 part to %1.") : tr("Exported %2 parts to %1.").arg(parts))
-                                 .arg(QFile::decodeName(report.file.c_str())));
+        const QString file = QFile::decodeName(report.file.c_str());
+        m_bench.notices.note(parts == 1 ? tr("Exported 1 part to %1.").arg(file)
+                                        : tr("Exported %2 parts to %1.").arg(file).arg(parts));
         if (!report.isSound())
             m_bench.notices.problem(
                 said(Message("ExportFeature", "Not everything in %1 is sound; the export report says what is not.")

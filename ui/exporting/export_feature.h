@@ -47,6 +47,7 @@ private:
 
     Workbench m_bench;
     QAction* m_action;
+    std::shared_ptr<const Model> m_exported; ///< that the report is about
     ExportPanel* m_panel;
 };
 

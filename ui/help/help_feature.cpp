@@ -15,10 +15,12 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QKeySequenceEdit>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QSettings>
 
 #include <algorithm>
 #include <string>
@@ -30,7 +32,8 @@ namespace {
 
 constexpr const char* tourPart = "lump.step";
 constexpr const char* tourMaterial = "modeling-clay";
-constexpr double tourRadius = 0.13;  // of a thumb, in sizes of the part: as a large one of a fist of clay
+constexpr double tourRadius = 0.13; // of a thumb, in sizes of the part: as a large one of a fist of clay
+constexpr const char* strengthBeforeTour = "tour/strengthBefore";
 constexpr double tourStrength = 2.5; // so that a dent is seen after half a second
 
 /// Other than QWidget::isAncestorOf(): also of what is a window of its own.
@@ -42,8 +45,10 @@ bool belongsTo(const QWidget& window, const QWidget* widget)
 }
 
 /// A key that is to be given to a command does nothing else.
-bool takesAnyKey(const QWidget* widget)
+bool takesKey(const QWidget* widget, const QKeyEvent& event)
 {
+    if (widget->testAttribute(Qt::WA_InputMethodEnabled) && !event.text().isEmpty() && event.text()[0].isPrint())
+        return true;
     for (; widget != nullptr; widget = widget->parentWidget())
         if (qobject_cast<const QKeySequenceEdit*>(widget) != nullptr)
             return true;
@@ -91,11 +96,12 @@ bool HelpFeature::eventFilter(QObject* watched, QEvent* event)
     if (event->type() != QEvent::KeyPress)
         return false;
     const auto* widget = qobject_cast<const QWidget*>(watched);
-    if (widget == nullptr || widget->window() == &m_bench.window || takesAnyKey(widget))
+    const auto& key = *static_cast<const QKeyEvent*>(event);
+    if (widget == nullptr || widget->window() == &m_bench.window || takesKey(widget, key))
         return false;
     const auto* dialog = qobject_cast<const QDialog*>(widget->window());
     if (dialog == nullptr || dialog == m_handbook || !belongsTo(m_bench.window, dialog) ||
-        !m_actions.handbook->shortcuts().contains(QKeySequence(static_cast<const QKeyEvent*>(event)->keyCombination())))
+        !m_actions.handbook->shortcuts().contains(QKeySequence(key.keyCombination())))
         return false;
     openHandbookAt(widget);
     return true;
@@ -138,6 +144,18 @@ void HelpFeature::openHandbookAt(const QWidget* place)
     m_handbook->open(pageAt(place));
 }
 
+void HelpFeature::setPlaces(const Places& places)
+{
+    m_places.emplace(places);
+    const QVariant before = QSettings().value(strengthBeforeTour);
+    if (!before.isValid())
+        return;
+    HandChoices choices = places.hands.settings().choices(); // the program ended in the middle of a tour
+    choices.sculptStrength = before.toDouble();
+    places.hands.settings().set(choices);
+    QSettings().remove(strengthBeforeTour);
+}
+
 void HelpFeature::beginTour()
 {
     const QString part = QDir(QString::fromStdString(m_bench.services.examplesFolder)).filePath(tourPart);
@@ -156,6 +174,7 @@ void HelpFeature::showTour()
     HandSettings& settings = m_places->hands.settings();
     HandChoices choices = settings.choices();
     m_strengthBefore = choices.sculptStrength;
+    QSettings().setValue(strengthBeforeTour, m_strengthBefore); // for when the program ends in the middle
     choices.sculptStrength = tourStrength;
     choices.sculptRadius = tourRadius * m_bench.document.size();
     settings.set(choices);
@@ -172,6 +191,7 @@ void HelpFeature::endTour()
     if (choices.sculptRadius == tourRadius * m_bench.document.size())
         choices.sculptRadius = 0; // goes by the part
     settings.set(choices);
+    QSettings().remove(strengthBeforeTour);
     if (const QWidget* at = QApplication::focusWidget(); at != nullptr && m_tour->isAncestorOf(at))
         m_bench.viewport.setFocus();
 }
@@ -179,11 +199,11 @@ void HelpFeature::endTour()
 /// Another part is not the tour's.
 void HelpFeature::followDocument(Document::Change what)
 {
-    if (what == Document::Change::Frame && m_tour != nullptr)
+    if (what == Document::Change::Frame && m_tour != nullptr && m_tour->isVisible())
         m_tour->look(); // what was done may be over soon
     if (what == Document::Change::Model && m_tour != nullptr) {
         const std::vector<std::string>& paths = m_bench.document.content().request.paths;
-        if (paths.size() != 1 || !QFile::decodeName(paths.front().c_str()).endsWith(tourPart))
+        if (paths.size() != 1 || QFileInfo(QFile::decodeName(paths.front().c_str())).fileName() != tourPart)
             m_tour->close();
     }
 }

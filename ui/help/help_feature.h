@@ -50,7 +50,7 @@ public:
     const Actions& actions() const { return m_actions; }
 
     /// Before the first tour.
-    void setPlaces(const Places& places) { m_places.emplace(places); }
+    void setPlaces(const Places& places);
     /// Opens a block of clay in place of what is open, once what is not saved may go, with the thumb at hand, and begins the tour
     /// on it.
     void beginTour();

@@ -162,8 +162,8 @@ void Tour::say()
     setAccessibleName(tr("Tour: %1").arg(title));
     setAccessibleDescription(m_text->text());
     layout()->activate();
-    const int height = heightForWidth(tourWidth);
-    resize(tourWidth, height > 0 ? height : sizeHint().height());
+    const int height = heightForWidth(width());
+    resize(width(), height > 0 ? height : sizeHint().height());
 }
 
 void Tour::look()
@@ -223,7 +223,7 @@ QPoint Tour::cornerBeside(const QRect& place) const
 void Tour::arrange(bool isNew)
 {
     const QRect place = spot();
-    if (isNew || covered(geometry()) > 0)
+    if (isNew || !m_window.rect().contains(geometry()) || covered(geometry()) > 0)
         move(cornerBeside(place));
     if (m_ring->geometry() != place)
         m_ring->setGeometry(place);
@@ -249,7 +249,10 @@ bool Tour::event(QEvent* event)
 
 void Tour::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange && isVisible()) {
+    const bool isLarger = event->type() == QEvent::FontChange && isVisible();
+    if (isLarger)
+        setFixedWidth(withText(tourWidth));
+    if (isLarger || (event->type() == QEvent::LanguageChange && isVisible())) {
         say();
         arrange(true);
     }

@@ -152,6 +152,7 @@ Tour::Step tourHandStep(const TourWatch& watch, std::function<bool(std::uint64_t
     Tour::Step step;
     step.begin = [watch, state] { *state = {watch.step(), false}; };
     step.isDone = [watch, state, seen = std::move(seen)] {
+        state->since = std::min(state->since, watch.step()); // after undoing
         state->isSeen = state->isSeen || seen(state->since);
         return state->isSeen && watch.isLetGo();
     };

@@ -180,6 +180,13 @@ void ExportPanel::fitColumns()
         m_parts->resizeColumnToContents(column);
 }
 
+void ExportPanel::forgetPlaces()
+{
+    m_placeOf = {};
+    for (int row = 0; row < m_parts->topLevelItemCount(); ++row)
+        m_places->set(*m_parts->topLevelItem(row), std::nullopt);
+}
+
 /// How many of the parts came back as they should.
 QString ExportPanel::verdict(std::size_t sound, std::size_t parts)
 {

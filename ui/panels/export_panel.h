@@ -24,6 +24,9 @@ public:
 
     void show(const std::vector<ExportReport>& reports, const PlaceOf& placeOf = {});
 
+    /// For when they are in a part that is no longer open.
+    void forgetPlaces();
+
     /// A sentence. @param sound parts of all `parts`
     static QString verdict(std::size_t sound, std::size_t parts);
 

@@ -389,6 +389,8 @@ void HistoryPanel::entryEdited(QTreeWidgetItem* item, int column)
 
 void HistoryPanel::toggleKey(Entry entry)
 {
+    if (!isListed())
+        return; // closed while the menu was open
     DocumentHistory& history = m_document.history();
     history.setKey(entry, !history.tree().record(entry).isKey);
 }
@@ -414,7 +416,10 @@ void HistoryPanel::askWhatToDo(const QPoint& place)
                                   [this, entry] { m_document.goToEntry(entry); });
     go->setEnabled(!isCurrent);
     menu->addSeparator();
-    menu->addAction(tr("Rename"), QKeySequence(Qt::Key_F2), this, [this, entry] { renameEntry(m_items[entry]); });
+    menu->addAction(tr("Rename"), QKeySequence(Qt::Key_F2), this, [this, entry] {
+        if (isListed() && entry < m_items.size())
+            renameEntry(m_items[entry]);
+    });
     menu->addAction(icon(isKey ? "star" : "star-full"), isKey ? tr("No longer a key moment") : tr("Mark as key moment"),
                     this, [this, entry] { toggleKey(entry); });
     menu->popup(m_tree->viewport()->mapToGlobal(place));

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QPalette>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 
 namespace knead {
 
@@ -57,8 +58,13 @@ void PlaceRows::set(QTreeWidgetItem& row, const std::optional<ReportPlace>& plac
     row.setToolTip(m_column, place ? tr("Look there in the view (Enter)") : QString());
 }
 
+/// Links have the color of the theme.
 bool PlaceRows::eventFilter(QObject* /*watched*/, QEvent* event)
 {
+    if (event->type() == QEvent::PaletteChange)
+        for (QTreeWidgetItemIterator row(&m_tree); *row != nullptr; ++row)
+            if (placeOfRow(**row, m_column))
+                (*row)->setForeground(m_column, m_tree.palette().link());
     return isEnter(*event) && follow(m_tree.currentItem());
 }
 

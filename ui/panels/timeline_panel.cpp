@@ -137,12 +137,12 @@ void TimelinePanel::addButton(QAction* action)
 void TimelinePanel::documentChanged(Document::Change what)
 {
     const bool isElsewhere = what == Document::Change::Model || what == Document::Change::Moment;
+    if (what == Document::Change::Model) // what is on the axis fits it no longer
+        m_axis->show({});
     if (isElsewhere || m_document.isPlaying())
         stopLooking();
-    if (what == Document::Change::Model) { // what is on the axis fits it no longer
-        m_axis->show({});
+    if (what == Document::Change::Model)
         showState();
-    }
     // Hidden too: its actions are in a menu and on keys as well.
     if (what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();

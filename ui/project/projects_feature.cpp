@@ -40,7 +40,7 @@ ProjectsFeature::Actions::Actions(QWidget& window)
                                  QT_TRANSLATE_NOOP("Actions", "Keep the project in another file and go on with that")}))
     , recover(makeAction(window, {"recover", QT_TRANSLATE_NOOP("Actions", "Recover &unsaved work..."), nullptr, "",
                                   QT_TRANSLATE_NOOP("Actions", "Look for work that was not saved when Knead ended")}))
-    , close(makeAction(window, {"closePart", QT_TRANSLATE_NOOP("Actions", "&Close"), nullptr, "Ctrl+W",
+    , close(makeAction(window, {"closePart", QT_TRANSLATE_NOOP("Actions", "C&lose"), nullptr, "Ctrl+W",
                                 QT_TRANSLATE_NOOP("Actions", "Back to the first page with nothing open; what is not "
                                                              "saved is asked about")}))
 {
@@ -80,7 +80,10 @@ ProjectsFeature::ProjectsFeature(const Workbench& bench, ModelTree& tree, HomePa
     connect(&home, &HomePage::fileChosen, this, &ProjectsFeature::openRecent);
     connect(m_actions.close, &QAction::triggered, this, [this] {
         if (!m_bench.isBusy())
-            m_keeper->letGo([this] { closePart(); });
+            m_keeper->letGo([this] {
+                if (!m_bench.isBusy()) // neither after the question
+                    closePart();
+            });
     });
     bench.availability.needPart({m_actions.save, m_actions.saveAs, m_actions.close});
     listRecent();

@@ -1,5 +1,6 @@
 #include "ui/viewport/skin_actor.h"
 
+#include "core/geometry/mass_properties.h"
 #include "core/session/edge_sight.h"
 #include "core/session/relief.h"
 #include "ui/viewport/stroke_actor.h"
@@ -39,6 +40,7 @@ struct SkinActor::Parts {
     std::shared_ptr<const std::vector<float>> contactShades; ///< see Frame; null: none
     Shading shading = Shading::usual;
     std::optional<EdgeSight> sight; ///< once it was asked for
+    bool isClosed = false;          ///< known once there is a sight
     std::vector<bool> seenEdges;    ///< that do not lie behind the body; at first all
     vtkSmartPointer<vtkPlaneCollection> clipping;
     std::vector<std::uint32_t> left; ///< triangles that are not drawn
@@ -177,19 +179,21 @@ void SkinActor::setContactShades(std::shared_ptr<const std::vector<float>> shade
     showColors();
 }
 
-/// Through glass and where the body is cut open one sees them all.
+/// Through glass, and where the body is open, cut or cracked, one sees them all.
 void SkinActor::hideEdgesBehind(const Camera& camera)
 {
     if (!m_parts->edgeActor->GetVisibility())
         return;
     const bool isSolid = m_parts->faceActor->GetVisibility() && m_parts->faceActor->GetProperty()->GetOpacity() >= 1 &&
-                         (!m_parts->clipping || m_parts->clipping->GetNumberOfItems() == 0);
-    if (!isSolid) {
+                         (!m_parts->clipping || m_parts->clipping->GetNumberOfItems() == 0) && m_parts->left.empty();
+    if (isSolid && !m_parts->sight) {
+        m_parts->sight.emplace(m_body->render);
+        m_parts->isClosed = isWatertight(m_body->mesh);
+    }
+    if (!isSolid || !m_parts->isClosed) {
         drawEdges(std::vector<bool>(m_parts->seenEdges.size(), true));
         return;
     }
-    if (!m_parts->sight)
-        m_parts->sight.emplace(m_body->render);
     const auto* points = static_cast<const float*>(m_parts->points->GetData()->GetVoidPointer(0));
     drawEdges(m_parts->sight->seenFrom({points, 3 * m_body->render.source.size()},
                                        camera.perspective ? std::optional(camera.eye()) : std::nullopt,
