@@ -1,3 +1,4 @@
+#include "support/cut_texts.h"
 #include "support/window_on_test.h"
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
@@ -14,7 +15,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <QTabBar>
 #include <QToolButton>
 
@@ -218,9 +218,7 @@ private slots:
             drawn();
             QTest::qWait(50);
             picture(qPrintable("texts-150-" + dock->objectName()));
-            for (QWidget* widget : m_window->findChildren<QWidget*>())
-                if (isInFront(*widget, *dock) && !isInside(*widget) && isCut(*widget))
-                    cut << dock->objectName() + ": " + wordsOf(*widget);
+            cut << cutTextsIn(*dock);
         }
         document().select({Selection::Kind::Body, 0});
         auto* properties = find<QDockWidget>("propertiesDock");
@@ -228,9 +226,7 @@ private slots:
         drawn();
         QTest::qWait(50);
         picture("texts-150-body");
-        for (QWidget* widget : properties->findChildren<QWidget*>())
-            if (isInFront(*widget, *properties) && !isInside(*widget) && isCut(*widget))
-                cut << "body: " + wordsOf(*widget);
+        cut << cutTextsIn(*properties);
         cut.removeDuplicates();
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
     }
@@ -251,13 +247,13 @@ private slots:
                 if (!dialog->isVisible())
                     continue;
                 picture(qPrintable(QStringLiteral("texts-150-dialog-") + name));
-                for (QWidget* widget : dialog->findChildren<QWidget*>())
-                    if (widget->isVisible() && !isInside(*widget) && isCut(*widget))
-                        cut << QString(name) + ": " + wordsOf(*widget);
+                cut << cutTextsIn(*dialog);
                 dialog->close();
                 ++seen;
             }
             QVERIFY2(seen > 0, name);
+            QCoreApplication::sendPostedEvents(nullptr,
+                                               QEvent::DeferredDelete); // one that was closed is not asked again
         }
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
     }
@@ -306,17 +302,6 @@ private:
                (line != nullptr && line->text().isEmpty() && !line->isEnabled());
     }
 
-    /// Panels behind others are not laid out.
-    static bool isInFront(const QWidget& widget, const QDockWidget& dock)
-    {
-        if (!widget.isVisible() || widget.size().isEmpty())
-            return false;
-        const QWidget* owner = &widget;
-        while (owner != nullptr && qobject_cast<const QDockWidget*>(owner) == nullptr)
-            owner = owner->parentWidget();
-        return owner == nullptr || owner == &dock;
-    }
-
     static QString wordsOf(const QWidget& widget)
     {
         QString words = QStringLiteral("%1 '%2' in '%3'")
@@ -335,36 +320,6 @@ private:
 
     /// With what is around it, where frames are drawn outside.
     QImage pictureOf(QWidget& widget) { return widget.grab().toImage(); }
-
-    /// Whether a text lacks room. What is longer than its place on purpose ends in dots, and says the whole as a tip.
-    static bool isCut(const QWidget& widget)
-    {
-        constexpr int slack = 1;
-        if (const auto* area = qobject_cast<const QScrollArea*>(&widget))
-            return area->widget() != nullptr && area->widget()->minimumSizeHint().width() > area->viewport()->width();
-        if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-            if (label->text().isEmpty())
-                return false;
-            if (label->wordWrap())
-                return label->height() + slack < label->heightForWidth(label->width());
-            return label->width() + slack < label->sizeHint().width() ||
-                   label->height() + slack < label->sizeHint().height();
-        }
-        if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
-            if (button->text().isEmpty() || button->inherits("knead::PictureCard"))
-                return false;
-            if (const auto* tool = qobject_cast<const QToolButton*>(button))
-                if (tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
-                    return false;
-            return button->width() + slack < button->minimumSizeHint().width() ||
-                   button->height() + slack < button->minimumSizeHint().height() ||
-                   button->fontMetrics().height() > button->height();
-        }
-        if (qobject_cast<const QLineEdit*>(&widget) != nullptr || qobject_cast<const QComboBox*>(&widget) != nullptr ||
-            qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr)
-            return widget.height() < widget.fontMetrics().height();
-        return false;
-    }
 };
 
 int main(int argc, char** argv)

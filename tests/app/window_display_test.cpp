@@ -377,7 +377,7 @@ private slots:
         QTRY_VERIFY(view().scale() && view().scale()->isKnown);
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         choose("colorQuantity", "Contact force");
-        QTRY_VERIFY(legend()->remark().isEmpty() && view().scale()->isKnown);
+        QTRY_VERIFY(legend()->remark().isEmpty() && view().scale() && view().scale()->isKnown);
     }
 
     /// Of the present, for as long as the next step takes.

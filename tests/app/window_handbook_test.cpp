@@ -180,11 +180,7 @@ private slots:
         }
         QVERIFY(comesTrue([&] { return shownDialog(name) != nullptr; }));
         QPointer<QDialog> dialog = shownDialog(name);
-        QVERIFY(comesTrue([&] { // there may be no window manager that does it
-            if (QApplication::activeWindow() != dialog)
-                dialog->activateWindow();
-            return QApplication::activeWindow() == dialog;
-        }));
+        activate(*dialog);
         QWidget* at = dialog->focusWidget() != nullptr ? dialog->focusWidget() : dialog.data();
         verifyPage(*at, spoken, dialog);
         dialog->reject();
@@ -196,6 +192,7 @@ private slots:
     {
         action("shortcuts")->trigger();
         QTRY_VERIFY(find<QKeySequenceEdit>("shortcutKey") != nullptr);
+        activate(*find<QDialog>("preferencesDialog")); // else the key is one of the window
         QTest::keyClick(find<QKeySequenceEdit>("shortcutKey"), Qt::Key_F1);
         QVERIFY(find<HandbookWindow>("handbook") == nullptr);
         find<QDialog>("preferencesDialog")->reject();
@@ -301,6 +298,16 @@ private slots:
     }
 
 private:
+    /// There may be no window manager that does it.
+    static void activate(QDialog& dialog)
+    {
+        QVERIFY(comesTrue([&] {
+            if (QApplication::activeWindow() != &dialog)
+                dialog.activateWindow();
+            return QApplication::activeWindow() == &dialog;
+        }));
+    }
+
     QDialog* shownDialog(const QString& name)
     {
         for (QDialog* dialog : m_window->findChildren<QDialog*>(name))
