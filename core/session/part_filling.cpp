@@ -64,7 +64,7 @@ double automaticSpacing(const FillingSizes& sizes)
 
 double spacingOf(const std::optional<SpacingChoice>& choice, const FillingSizes& sizes)
 {
-    const double chosen = choice ? spacingFor(*choice, sizes.all) : 0;
+    const double chosen = choice && choice->value > 0 ? spacingFor(*choice, sizes.all) : 0;
     return chosen > 0 ? chosen : automaticSpacing(sizes);
 }
 

@@ -116,7 +116,7 @@ void SplitVertices::takeOffsets(const Run& run, std::size_t begin)
     std::uint64_t sequence = 0;
     forEachCorner([&](std::uint32_t triangle, std::uint32_t corner) {
         const std::size_t place = m_places[m_body.mesh.triangles[triangle][corner]] - begin;
-        if (place + 1 < run.first.size())
+        if (place < run.first.size() - 1) // those before the run are far beyond its end
             for (std::size_t c = run.first[place]; c < run.first[place + 1]; ++c)
                 if (run.corners[c].triangle == triangle && run.corners[c].index == corner && run.kind[c] > 0)
                     m_offsets.emplace_back(sequence, run.kind[c]);

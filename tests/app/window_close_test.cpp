@@ -41,6 +41,7 @@ private slots:
         hold(Qt::Key_PageDown, [&, end = snapshot().time + 0.1] { return snapshot().time > end; });
         key(Qt::Key_W, Qt::ControlModifier); // while time runs
         answer("saveQuestion", QMessageBox::Cancel);
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
         QVERIFY(!document().isEmpty());
         stage("kept");
         key(Qt::Key_W, Qt::ControlModifier);

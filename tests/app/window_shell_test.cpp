@@ -152,7 +152,7 @@ private slots:
                                      {"zoom", "fit"},
                                      {"glue", "glueSelection"},
                                      {"join", "glueSelection"},
-                                     {"cut", "example-cut-bar.recipe.json"},
+                                     {"cut", "cutHere"},
                                      {"slice", "cutHere"},
                                      {"blade", "addKnife"},
                                      {"save as", "saveAs"},

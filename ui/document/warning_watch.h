@@ -35,6 +35,9 @@ public:
     /// With places that go along with the material until the next look.
     std::vector<PlaceWarning> warnings() const;
 
+    /// That was looked at last; null: none of this content yet.
+    const FramePointer& seen() const { return m_frame; }
+
 signals:
     void changed();
 
