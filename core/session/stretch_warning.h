@@ -18,9 +18,9 @@ struct Overstretch {
 inline constexpr double warningShareOfBreaking = 0.8;
 
 /// The object that is nearest to breaking, when that is near; none in material that never breaks. As connections break, see
-/// ConnectionLaw: brittle material by its elastic stretch e^h - 1 over strength / E; ductile material by its stretch h, and no
-/// more than it has flowed, over the plastic strain that it can take. h is the largest principal Hencky strain. It is an
-/// estimate: beside cracks and where much holds material together, it breaks earlier or later.
+/// ConnectionLaw: brittle material by the elastic stretch l / l0 - 1 of a connection over strength / E; ductile material by the
+/// stretch h of an object, and no more than it has flowed, over the plastic strain that it can take. h is the largest principal Hencky
+/// strain. It is an estimate: strength scatters, and beside cracks material breaks earlier.
 ///
 /// On the calling thread alone, O(objects).
 /// @throws Cancelled

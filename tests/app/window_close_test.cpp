@@ -40,12 +40,11 @@ private slots:
         play();
         hold(Qt::Key_PageDown, [&, end = snapshot().time + 0.1] { return snapshot().time > end; });
         key(Qt::Key_W, Qt::ControlModifier); // while time runs
-        answer("saveQuestion", QMessageBox::Cancel);
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
+        answerAndComeBack(QMessageBox::Cancel);
         QVERIFY(!document().isEmpty());
         stage("kept");
         key(Qt::Key_W, Qt::ControlModifier);
-        answer("saveQuestion", QMessageBox::Discard);
+        answerAndComeBack(QMessageBox::Discard);
         QTRY_VERIFY(document().isEmpty());
         verifyFirstPage();
         stage("discarded");
@@ -100,7 +99,7 @@ private slots:
         QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(place));
         QTRY_VERIFY(view().isLookingBack());
         key(Qt::Key_W, Qt::ControlModifier);
-        answer("saveQuestion", QMessageBox::Discard);
+        answerAndComeBack(QMessageBox::Discard);
         QTRY_VERIFY(document().isEmpty());
         verifyFirstPage();
         QTest::qWait(1000); // timers of panels look once more
@@ -114,6 +113,13 @@ private slots:
     }
 
 private:
+    /// Keys that follow are for the window.
+    void answerAndComeBack(QMessageBox::StandardButton button)
+    {
+        answer("saveQuestion", button);
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
+    }
+
     /// Nothing is open.
     void verifyFirstPage()
     {

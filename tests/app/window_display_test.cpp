@@ -614,31 +614,6 @@ private slots:
     }
 
     /// A step of the drag of a plane through a large part takes hardly more than one of turning the view.
-    /// As what turns: roughly where drawing is slow, and in full once it rests.
-    void draggingTheSectionPlaneIsLight()
-    {
-        openExample("handle.step", 60);
-        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
-        QTRY_VERIFY(find<QWidget>("sectionKnob")->isVisible());
-        rest();
-        view().setLongestFull(0); // as where drawing is slow
-        view().repaint();
-        QTRY_VERIFY(!view().isSketch());
-        for (int i = 0; i < 3; ++i) {
-            SceneOptions options = view().options();
-            options.section.plane->offset += 1e-4;
-            view().setOptions(options);
-            view().repaint();
-            QVERIFY(view().isSketch());
-        }
-        QTRY_VERIFY(!view().isSketch());
-        SceneOptions options = view().options();
-        options.grid = !options.grid; // which is no dragging
-        view().setOptions(options);
-        view().repaint();
-        QVERIFY(!view().isSketch());
-    }
-
     void aCutIsNoFace()
     {
         openExample("bar.step", 24);

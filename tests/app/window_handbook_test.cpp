@@ -14,6 +14,7 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTextBrowser>
+#include <QTreeWidget>
 
 using namespace knead;
 
@@ -193,6 +194,9 @@ private slots:
         action("shortcuts")->trigger();
         QTRY_VERIFY(find<QKeySequenceEdit>("shortcutKey") != nullptr);
         activate(*find<QDialog>("preferencesDialog")); // else the key is one of the window
+        auto* list = find<QTreeWidget>("shortcutList");
+        list->setCurrentItem(list->topLevelItem(0)->child(0)); // of the first menu
+        QVERIFY(find<QKeySequenceEdit>("shortcutKey")->isEnabled());
         QTest::keyClick(find<QKeySequenceEdit>("shortcutKey"), Qt::Key_F1);
         QVERIFY(find<HandbookWindow>("handbook") == nullptr);
         find<QDialog>("preferencesDialog")->reject();

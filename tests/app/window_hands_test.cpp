@@ -715,14 +715,14 @@ private slots:
         };
         document().post(AddFixture{{"held", 0, end(-0.1, 0.1)}});
         GripTurn none;
-        document().post(AddFixture{{"pulled", 0, end(0.9, 1.1), Vec3(0.05 * box.sizes().x(), 0, 0), none}});
+        document().post(AddFixture{{"pulled", 0, end(0.9, 1.1), Vec3(0.012 * box.sizes().x(), 0, 0), none}});
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{2});
         auto* words = find<MarksOverlay>("warningMarks");
         QVERIFY(!words->isVisible());
         const auto* watch = m_window->findChild<WarningWatch*>();
         const auto isSeen = [&] { return watch->seen() && watch->seen()->snapshot->step == snapshot().step; };
         while (!words->isVisible() && snapshot().broken == 0) {
-            simulate(0.05); // by a twentieth of its strength
+            simulate(0.1); // by a twentieth of its strength, or somewhat more
             settle();
             QVERIFY2(comesTrue(isSeen), "nobody looks");
             drawn();

@@ -145,6 +145,29 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!view().isSketch(), patience);
     }
 
+    /// As what turns; other options are shown in full at once.
+    void aSectionPlaneThatIsDraggedIsSketched()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QTRY_VERIFY(view().options().section.plane.has_value());
+        rest();
+        waitForPicture();
+        view().setLongestFull(0);
+        for (int i = 0; i < 3; ++i) {
+            SceneOptions options = view().options();
+            options.section.plane->offset += 1e-4;
+            view().setOptions(options);
+            waitForPicture();
+            QVERIFY(view().isSketch());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!view().isSketch(), patience);
+        SceneOptions options = view().options();
+        options.grid = !options.grid;
+        view().setOptions(options);
+        waitForPicture();
+        QVERIFY(!view().isSketch());
+    }
+
     void otherViewsDoTheSame()
     {
         m_window->findChild<ViewGrid*>()->arrange(ViewArrangement::two);

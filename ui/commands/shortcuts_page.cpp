@@ -3,6 +3,7 @@
 #include "ui/commands/fuzzy_match.h"
 #include "ui/commands/listed_actions.h"
 #include "ui/commands/shortcuts.h"
+#include "ui/theme.h"
 
 #include <QAction>
 #include <QEvent>
@@ -87,6 +88,7 @@ void ShortcutsPage::makeList()
 void ShortcutsPage::makeEditor()
 {
     m_key->setObjectName("shortcutKey");
+    m_key->setMinimumWidth(withText(150)); // what it asks for is read
     m_take->setObjectName("shortcutTake");
     m_clear->setObjectName("shortcutClear");
     m_reset->setObjectName("shortcutReset");

@@ -51,7 +51,7 @@ AboutDialog::AboutDialog(const std::vector<Services::Library>& libraries, QWidge
     column->addLayout(row);
     connect(copyButton, &QPushButton::clicked, this, &AboutDialog::copy);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(560, 520);
+    resize(withText(580), withText(520));
 }
 
 QWidget* AboutDialog::makeHead()

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStyledItemDelegate>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -166,6 +167,8 @@ ExportPanel::ExportPanel(QWidget* parent)
 void ExportPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        QTimer::singleShot(0, this, &ExportPanel::fitColumns); // once the titles have it, too
     if (event->type() != QEvent::LanguageChange)
         return;
     if (!m_reports.empty())

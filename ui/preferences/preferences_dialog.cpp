@@ -60,7 +60,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, Shortcuts& shortcut
     m_index->setCurrentRow(0);
     setPreferences(now);
     m_index->setFixedWidth(m_index->sizeHintForColumn(0) + indexMargin);
-    resize(760, 520);
+    resize(withText(760), withText(520));
 }
 
 void PreferencesDialog::show(Page page)
