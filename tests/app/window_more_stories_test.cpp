@@ -321,6 +321,7 @@ private slots:
         QTRY_VERIFY(find<QDialog>("exportDialog") != nullptr && find<QDialog>("exportDialog")->isVisible());
         find<QDialog>("exportDialog")->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("exportDialog")));
+        QTRY_VERIFY(find<QDialog>("exportDialog")->isAncestorOf(QApplication::focusWidget()));
         stage("export-dialog");
         press(Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file("keys.step")) && isIdle(), patience);

@@ -183,8 +183,8 @@ private slots:
         QTest::addColumn<QString>("code");
         QTest::addColumn<QSize>("size");
         for (const Language& language : languages())
-            for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
-                QTest::addRow("%s, %d", language.code, size.width()) << QString(language.code) << size;
+            QTest::addRow("%s, 1280", language.code) << QString(language.code) << QSize(1280, 800);
+        QTest::addRow("de, 1920") << QString("de") << QSize(1920, 1080); // the longest words, where docks are wider
     }
 
     void examplesOpenWithoutWarnings_data()

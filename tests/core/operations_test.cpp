@@ -349,8 +349,8 @@ private slots:
             if (!heals)
                 clay.healingTime = 0;
             Scene scene;
-            scene.bodies.push_back(boxAt({5, 6, 6}, Vec3(-2.7 * spacing, 0, 0), clay, "left"));
-            scene.bodies.push_back(boxAt({5, 6, 6}, Vec3(2.7 * spacing, 0, 0), clay, "right"));
+            scene.bodies.push_back(boxAt({5, 4, 4}, Vec3(-2.7 * spacing, 0, 0), clay, "left"));
+            scene.bodies.push_back(boxAt({5, 4, 4}, Vec3(2.7 * spacing, 0, 0), clay, "right"));
             for (const double side : {-1.0, 1.0}) {
                 Manipulator plate{.name = "plate", .size = {0.004, 0.03, 0.03}};
                 plate.pose = at({side * (5.25 * spacing + 0.002), 0, 0});
