@@ -18,7 +18,8 @@ constexpr double leastCosineAtRest = 0.939692620786; // of 20 degrees
 constexpr double leastCosineNow = 0.707106781187;    // of 45 degrees
 constexpr double thinShareOfRest = 0.5;
 constexpr double thinShareBelowSpacing = 0.8;
-constexpr std::ptrdiff_t witnesses = 3; // thin places beside each other, itself included
+constexpr double leastShareOfSpacing = 0.05; // less is no wall: a surface meets itself there, in a crease
+constexpr std::ptrdiff_t witnesses = 3;      // thin places beside each other, itself included
 
 double fractionOf(double value)
 {
@@ -113,7 +114,7 @@ std::vector<ThinnedWall> WallChange::thinOnes(const std::vector<Vec3>& now, doub
         const double thickness = thicknessFrom(surface, corners, m_orientation, place, point.triangle, leastCosineNow);
         const double limit =
             std::max(thinShareOfRest * point.thickness, std::min(spacing, thinShareBelowSpacing * point.thickness));
-        if (thickness < limit)
+        if (thickness < limit && thickness > leastShareOfSpacing * spacing)
             thin.push_back({place, point.triangle, thickness, point.thickness});
     }
     return thin;

@@ -679,7 +679,8 @@ private slots:
         QVERIFY(std::abs(original.pixelColor(added).lightness() -
                          original.pixelColor(added - QPoint(0, 60)).lightness()) < 25); // the ground
         dragTo(added.x() - 30);
-        QCOMPARE(shot().pixelColor(added), material);
+        QTest::mouseMove(&view(), QPoint(5, 5)); // what lies under the mouse is highlighted
+        QTRY_COMPARE(shot().pixelColor(added), material);
         divider->setFocus();
         const double share = *view().options().divider;
         QTest::keyClick(divider, Qt::Key_Right);

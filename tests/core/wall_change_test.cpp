@@ -62,6 +62,17 @@ private slots:
         QVERIFY(!change.thinnest(bent, 0.002));
     }
 
+    void whereASurfaceMeetsItselfIsNoWall()
+    {
+        const TriangleMesh mesh = plate();
+        const WallChange change(mesh);
+        const auto flattened =
+            placesBy(mesh, [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() * (p.x() > 0.03 ? 0.001 : 1)); });
+        QVERIFY(change.thinnest(flattened, 0));
+        const auto found = change.thinnest(flattened, 0.002);
+        QVERIFY2(!found || found->thickness > 0.0001, "4 um of a spacing of 2 mm");
+    }
+
     void aWallOfLessThanHalfIsFoundWhereItIsThinnest()
     {
         const TriangleMesh mesh = plate();

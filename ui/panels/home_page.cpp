@@ -23,7 +23,7 @@ namespace knead {
 namespace {
 
 constexpr int cardsInRow = 6;
-constexpr int cardGap = 12;
+constexpr int cardGap = 8; // six cards and a scroll bar have room in the smallest window that is usual
 constexpr int pageWidth = cardsInRow * PictureCard::pictureSize.width() + (cardsInRow - 1) * cardGap;
 
 /// "l_bracket.step" becomes "L bracket".
