@@ -40,7 +40,7 @@ std::optional<SurfaceRay::Exit> SurfaceRay::firstExit(const Vec3& start, const V
             if (atB < 0 || atC < 0 || atB + atC > 1 || distance <= nearest || distance >= best)
                 continue;
             best = distance;
-            exit = Exit{distance, std::abs(slope) / normal.norm()};
+            exit = Exit{distance, std::abs(slope) / normal.norm(), triangle};
         }
         return best;
     });

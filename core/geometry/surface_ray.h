@@ -14,6 +14,7 @@ public:
     struct Exit {
         double distance = 0; ///< from the start [m]
         double cosine = 0;   ///< between the ray and the outward normal there, 0..1
+        std::uint32_t triangle = 0;
     };
 
     /// Builds the tree of boxes, O(n lg n), on all threads.

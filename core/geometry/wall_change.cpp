@@ -26,15 +26,19 @@ double fractionOf(double value)
     return value - std::floor(value);
 }
 
-/// The thickness from a place straight in; infinite where there is no wall.
-double thicknessFrom(const SurfaceRay& surface, const std::array<Vec3, 3>& corners, double orientation,
-                     const Vec3& place, std::uint32_t triangle, double leastCosine)
+/// Where a ray from a place straight in leaves the wall; none where there is no wall.
+std::optional<SurfaceRay::Exit> exitFrom(const SurfaceRay& surface, const Vec3& inwards, const Vec3& place,
+                                         std::uint32_t triangle, double leastCosine)
 {
-    const Vec3 normal = crossOf(corners);
-    if (normal.isZero(0))
-        return std::numeric_limits<double>::infinity();
-    const auto exit = surface.firstExit(place, -orientation * normal.stableNormalized(), triangle);
-    return exit && exit->cosine >= leastCosine ? exit->distance : std::numeric_limits<double>::infinity();
+    if (inwards.isZero(0))
+        return {};
+    const auto exit = surface.firstExit(place, inwards, triangle);
+    return exit && exit->cosine >= leastCosine ? exit : std::nullopt;
+}
+
+Vec3 inwardsFrom(const std::array<Vec3, 3>& corners, double orientation)
+{
+    return -orientation * crossOf(corners).stableNormalized();
 }
 
 Vec3 placeIn(const std::array<Vec3, 3>& corners, double b, double c)
@@ -46,6 +50,7 @@ Vec3 placeIn(const std::array<Vec3, 3>& corners, double b, double c)
 
 WallChange::WallChange(const TriangleMesh& rest, TaskControl& control)
     : m_triangles(rest.triangles)
+    , m_rest(rest.vertices)
 {
     tbb::task_arena alone(1); // processors are for what a person waits for
     alone.execute([&] { findWalls(rest, control); });
@@ -75,10 +80,10 @@ void WallChange::findWalls(const TriangleMesh& rest, TaskControl& control)
                 b = 1 - b;
                 c = 1 - c;
             }
-            const double thickness =
-                thicknessFrom(surface, corners, m_orientation, placeIn(corners, b, c), t, leastCosineAtRest);
-            if (std::isfinite(thickness))
-                m_points.push_back({t, b, c, thickness});
+            const Vec3 place = placeIn(corners, b, c);
+            const Vec3 inwards = inwardsFrom(corners, m_orientation);
+            if (const auto exit = exitFrom(surface, inwards, place, t, leastCosineAtRest))
+                m_points.push_back({t, b, c, exit->distance, place + exit->distance * inwards});
         }
     }
 }
@@ -100,6 +105,17 @@ std::optional<ThinnedWall> WallChange::thinnest(const std::vector<Vec3>& now, do
     return {};
 }
 
+/// Whether a triangle is of what lay behind a place at rest, give or take what slides when a wall is pressed: a bar that is dented
+/// at its side is no shorter, though rays along it end in the dent.
+bool WallChange::isOpposite(const WallPoint& point, std::uint32_t triangle, double spacing) const
+{
+    const std::array<Vec3, 3> corners = cornersOf(m_rest, m_triangles[triangle]);
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    const double size = std::max(
+        {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+    return (middle - point.opposite).norm() <= std::max(0.5 * point.thickness, 2 * spacing) + size;
+}
+
 std::vector<ThinnedWall> WallChange::thinOnes(const std::vector<Vec3>& now, double spacing, TaskControl& control) const
 {
     const TriangleMesh mesh{.vertices = now, .triangles = m_triangles, .faceOfTriangle = {}};
@@ -111,11 +127,13 @@ std::vector<ThinnedWall> WallChange::thinOnes(const std::vector<Vec3>& now, doub
         const WallPoint& point = m_points[i];
         const std::array<Vec3, 3> corners = cornersOf(now, m_triangles[point.triangle]);
         const Vec3 place = placeIn(corners, point.b, point.c);
-        const double thickness = thicknessFrom(surface, corners, m_orientation, place, point.triangle, leastCosineNow);
+        const auto exit = exitFrom(surface, inwardsFrom(corners, m_orientation), place, point.triangle, leastCosineNow);
+        if (!exit || !isOpposite(point, exit->triangle, spacing))
+            continue;
         const double limit =
             std::max(thinShareOfRest * point.thickness, std::min(spacing, thinShareBelowSpacing * point.thickness));
-        if (thickness < limit && thickness > leastShareOfSpacing * spacing)
-            thin.push_back({place, point.triangle, thickness, point.thickness});
+        if (exit->distance < limit && exit->distance > leastShareOfSpacing * spacing)
+            thin.push_back({place, point.triangle, exit->distance, point.thickness});
     }
     return thin;
 }

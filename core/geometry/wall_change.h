@@ -27,6 +27,8 @@ struct ThinnedWall {
 /// of the objects and less than 0.8 of what it was: fewer than two objects across tell little of how it bends and tears. What was
 /// that thin from the start says nothing about the work, and 0.8 is beyond what bending does to a wall.
 ///
+/// Only what lay behind the place at rest is its other side: a bar that is dented at its side is no shorter.
+///
 /// One place alone may be a crease or a gap between two triangles: two others must be thin within the thickness it had.
 class WallChange {
 public:
@@ -46,12 +48,15 @@ private:
         double b = 0; ///< share of the triangle's second corner
         double c = 0; ///< of its third
         double thickness = 0;
+        Vec3 opposite = Vec3::Zero(); ///< where the ray leaves [m]
     };
 
     void findWalls(const TriangleMesh& rest, TaskControl& control);
+    bool isOpposite(const WallPoint& point, std::uint32_t triangle, double spacing) const;
     std::vector<ThinnedWall> thinOnes(const std::vector<Vec3>& now, double spacing, TaskControl& control) const;
 
     std::vector<TriangleMesh::Triangle> m_triangles;
+    std::vector<Vec3> m_rest;        ///< places of the vertices [m]
     double m_orientation = 1;        ///< -1: triangles face inwards
     std::vector<WallPoint> m_points; ///< only those at walls
 };

@@ -73,6 +73,19 @@ private slots:
         QVERIFY2(!found || found->thickness > 0.0001, "4 um of a spacing of 2 mm");
     }
 
+    /// Rays from its end along it leave in the dent, far from the other end.
+    void aBarDentedAtItsSideIsNoShorter()
+    {
+        const TriangleMesh mesh = refine(shapes::box(Vec3(0.1, 0.02, 0.02)), 0.002);
+        const WallChange change(mesh);
+        const auto notched = placesBy(mesh, [](const Vec3& p) {
+            const double far = (p.x() - 0.02) / 0.01;
+            return Vec3(p - Vec3(0, 0, (p.z() + 0.01) / 0.02 * 0.009 * std::exp(-std::pow(far, 8))));
+        });
+        const auto found = change.thinnest(notched, 0.001);
+        QVERIFY2(!found || found->atRest < 0.021, found ? qPrintable(QString::number(found->atRest)) : "");
+    }
+
     void aWallOfLessThanHalfIsFoundWhereItIsThinnest()
     {
         const TriangleMesh mesh = plate();
