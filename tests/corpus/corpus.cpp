@@ -4,6 +4,7 @@
 #include "corpus/check.h"
 #include "corpus/page.h"
 #include "corpus/shapes.h"
+#include "support/export_summary.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -74,36 +75,6 @@ void addInfo(const Json& info, Json& file)
     });
 }
 
-/// What the program says of the STEP file that it wrote.
-void addReport(const Json& report, Json& file)
-{
-    int smooth = 0;
-    int sound = 0;
-    int faces = 0;
-    int flat = 0;
-    double off = 0;
-    double allowed = 0;
-    std::string said;
-    for (const Json& part : report.at("parts")) {
-        smooth += part.at("form") == "smooth faces" ? 1 : 0;
-        sound += part.at("sound").get<bool>() ? 1 : 0;
-        faces += part.at("faces").at("after").get<int>();
-        flat += part.at("flat_faces").at("count").get<int>();
-        off = std::max(off, 1e3 * part.at("deviation_m").at("largest").get<double>());
-        allowed = std::max(allowed, 1e3 * part.at("deviation_m").at("allowed").get<double>());
-        for (const Json& remark : part.at("remarks"))
-            said += remark.get<std::string>() + " ";
-    }
-    file["bodies"] = report.at("parts").size();
-    file["smooth"] = smooth;
-    file["sound"] = sound;
-    file["flat_faces"] = flat;
-    file["off_mm"] = off;
-    file["allowed_mm"] = allowed;
-    file["kb_per_face"] = 1e-3 * report.at("bytes").get<double>() / std::max(1, faces);
-    file["said"] = said;
-}
-
 void addCheck(const Json& check, double volume, Json& file)
 {
     if (check.contains("error")) {
@@ -150,7 +121,7 @@ Json takeThrough(const QString& self, const QFileInfo& cad, const QString& folde
     const QString name = cad.completeBaseName();
     QFile::rename(folder + "/" + name + "-pressed.png", folder + "/after.png");
     const Json& exported = report.at("exports")[0];
-    addReport(exported, file);
+    file.update(knead::exportSummary(exported));
     const Ended checked =
         run(self, {"--check", folder + "/" + name + "-pressed.step", folder + "/" + name + "-pressed.stl"});
     const Json check = checked.isGood ? Json::parse(checked.out) : Json{{"error", "the check crashed"}};

@@ -1,5 +1,6 @@
 #include "gallery/gallery.h"
 
+#include "support/export_summary.h"
 #include "support/html.h"
 
 #include <QDir>
@@ -54,38 +55,6 @@ Json exportOf(const Json& recipe, const std::string& ending)
             return wanted;
     }
     throw std::runtime_error("a recipe of the gallery has no export " + ending);
-}
-
-/// What the program says of the STEP file that it wrote.
-void addReport(const Json& report, Json& piece)
-{
-    int smooth = 0;
-    int sound = 0;
-    int facesBefore = 0;
-    int facesAfter = 0;
-    double inFile = 0;
-    double ofSkin = 0;
-    double off = 0;
-    std::string said;
-    for (const Json& part : report.at("parts")) {
-        smooth += part.at("form") == "smooth faces" ? 1 : 0;
-        sound += part.at("sound").get<bool>() ? 1 : 0;
-        facesBefore += part.at("faces").at("before").get<int>();
-        facesAfter += part.at("faces").at("after").get<int>();
-        inFile += part.at("volume_m3").at("file").get<double>();
-        ofSkin += part.at("volume_m3").at("skin").get<double>();
-        off = std::max(off, 1e3 * part.at("deviation_m").at("largest").get<double>());
-        for (const Json& remark : part.at("remarks"))
-            said += remark.get<std::string>() + " ";
-    }
-    piece["bodies"] = report.at("parts").size();
-    piece["faces_before"] = facesBefore;
-    piece["faces_after"] = facesAfter;
-    piece["smooth"] = smooth;
-    piece["sound"] = sound;
-    piece["volume_error"] = ofSkin > 0 ? inFile / ofSkin - 1 : 1;
-    piece["off_mm"] = off;
-    piece["said"] = said;
 }
 
 std::string rounded(double number, const char* format)
@@ -168,7 +137,7 @@ Json carryOut(const QString& program, const Piece& piece, const QString& folder,
     const Json report = Json::parse(end.out);
     result["objects"] = report.at("objects");
     result["run_s"] = report.at("wall_s");
-    addReport(report.at("exports").at(0), result);
+    result.update(exportSummary(report.at("exports").at(0)));
     return result;
 }
 
