@@ -2,12 +2,14 @@
 
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/connection_id.h"
+#include "core/deformation/deformation.h"
 #include "core/geometry/smooth_map.h"
 #include "core/message/message.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
 #include "core/skin/knife_slit.h"
 #include "core/skin/skin_fields.h"
+#include "core/task/task_control.h"
 
 #include <memory>
 #include <optional>
@@ -32,10 +34,14 @@ struct PartToExport {
         int edges = 0;
     };
 
-    Part part;                                                   ///< as imported
-    std::shared_ptr<const Aggregate> aggregate;                  ///< its objects; null: the part is written as imported
-    std::vector<Vec3> displacements;                             ///< per object, from rest [m]
-    std::shared_ptr<const SmoothMap> map;                        ///< in place of objects; does not leave this process
+    Part part;                                  ///< as imported
+    std::shared_ptr<const Aggregate> aggregate; ///< its objects; null: the part is written as imported
+    std::vector<Vec3> displacements;            ///< per object, from rest [m]
+    std::shared_ptr<const SmoothMap> map;       ///< in place of objects; does not leave this process
+    std::shared_ptr<const std::vector<Deformation>>
+        deformations; ///< of what the objects make of it, one after the other; null: none
+    std::shared_ptr<const SmoothMap>
+        deformed; ///< the map of these, made where the part is written, see makeMaps(); does not leave this process
     std::shared_ptr<const std::vector<BrokenConnection>> broken; ///< structural connections; null: none
     std::shared_ptr<const RelaxedState> relaxed; ///< for fields; null: none; does not leave this process
     std::vector<ObjectIndex>
@@ -57,5 +63,8 @@ struct ExportJob {
     PartNode tree; ///< of these parts
     ExportOptions options;
 };
+
+/// Makes the maps of the deformations of parts, each once. @throws as mapOf(std::span<const Deformation>)
+void makeMaps(ExportJob& job, TaskControl& control = TaskControl::none());
 
 } // namespace knead
