@@ -153,6 +153,7 @@ private:
         const double size = m_part.part.box.diagonal().norm();
         const MorphOptions options{
             .tolerance = 1e3 * report.tolerance,
+            .findsForms = m_ready.findsForms && flat.empty(), // triangles divide edges by their parameters before
             .flat = flat,
             .flatFineness = {.deflection = 1e3 * flatShare * flatTolerance(),
                              .angle = facetAngle,

@@ -5,17 +5,16 @@
 #include "core/message/message.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
-#include "io/brep/face_integral.h"
 #include "io/brep/tessellation.h"
 #include "io/export/bent_faces.h"
 #include "io/export/cut_shape.h"
+#include "io/export/deformation_stages.h"
 #include "io/export/faceted_solid.h"
+#include "io/export/part_of_shape.h"
 #include "io/export/surface_flaws.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -41,7 +40,8 @@ public:
     double featureSize() const override { return 1; }
 };
 
-std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
+/// What the objects of a part make of it.
+std::shared_ptr<const SmoothMap> mapOfObjects(const PartToExport& part)
 {
     if (part.map != nullptr)
         return part.map;
@@ -54,16 +54,36 @@ std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
     return std::make_shared<SkinMap>(*part.aggregate, part.displacements);
 }
 
+/// [m]
+double toleranceOf(const PartToExport& part, const ExportOptions& options)
+{
+    return options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
+}
+
+bool isInPlace(const SmoothMap& map)
+{
+    return dynamic_cast<const InPlace*>(&map) != nullptr;
+}
+
+std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
+{
+    std::shared_ptr<const SmoothMap> own = mapOfObjects(part);
+    if (part.deformed == nullptr)
+        return own;
+    if (isInPlace(*own))
+        return part.deformed;
+    return std::make_shared<const ChainedMap>(std::vector{own, part.deformed});
+}
+
 /// A surface of a part, fine enough to bend with the objects as far as the number of triangles allows.
 TriangleMesh refined(const PartToExport& part, const TriangleMesh& rest, std::size_t most)
 {
-    if (part.map == nullptr && part.aggregate == nullptr)
-        return rest;
-    if (part.map == nullptr && part.aggregate->former)
+    const double own = part.part.box.diagonal().norm() / triangleEdges;
+    if (part.map == nullptr && part.aggregate != nullptr && part.aggregate->former)
         return carriedSurface(rest, *part.aggregate->former, part.aggregate->lattice.spacing, most).mesh;
-    const double edge =
-        part.map == nullptr ? part.aggregate->lattice.spacing : part.part.box.diagonal().norm() / triangleEdges;
-    return refine(rest, edge, most);
+    if (part.map != nullptr || (part.aggregate == nullptr && part.deformed != nullptr))
+        return refine(rest, own, most);
+    return part.aggregate == nullptr ? rest : refine(rest, part.aggregate->lattice.spacing, most);
 }
 
 /// What a closed surface holds once it is carried [m^3]. Chords cut volume off in proportion to the square of their length:
@@ -122,25 +142,6 @@ void makeFaceted(const PartToExport& part, const Message& reason, ReadyPart& rea
     setFaceColors(part.part, solid.origin, ready.out);
 }
 
-/// A piece with the faces of its part as knives cut them: as if it had come so.
-PartToExport asCut(const PartToExport& part, const CutShape& cut)
-{
-    PartToExport piece = part;
-    const TopoDS_Shape copy = BRepBuilderAPI_Copy(cut.shape, false).Shape();
-    const double size = part.part.box.diagonal().norm();
-    piece.part.mesh = tessellate(copy, {facetDeflection * size / 4, facetAngle});
-    piece.part.watertight = isWatertight(piece.part.mesh);
-    piece.part.volume = 1e-9 * std::abs(faceIntegralsOf(cut.shape).volume);
-    piece.part.faces.clear();
-    for (const std::uint32_t origin : cut.origin)
-        piece.part.faces.push_back(origin < part.part.faces.size() ? part.part.faces[origin]
-                                                                   : decltype(part.part.faces)::value_type{});
-    TopTools_IndexedMapOfShape edges;
-    TopExp::MapShapes(cut.shape, TopAbs_EDGE, edges);
-    piece.part.edges = edges.Extent();
-    return piece;
-}
-
 /// @param shape [mm]
 ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
                         const FaceChoice& choice, TaskControl& control)
@@ -151,6 +152,8 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     ready.out.layer = part.part.layer;
     ready.out.visible = part.part.visible;
     ready.map = mapOf(part);
+
+    ready.findsForms = part.deformed != nullptr;
 
     PartExportReport& report = ready.report;
     report.name = part.part.name;
@@ -166,7 +169,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
         report.edgesBefore = part.before->edges;
     }
     report.wasClosed = part.part.watertight;
-    report.tolerance = options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
+    report.tolerance = toleranceOf(part, options);
 
     control.report(0, "bending the surface");
     const TriangleMesh rest = refined(part, part.part.mesh, mostTriangles);
@@ -189,7 +192,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
         ready.skin = std::move(now);
         return ready;
     }
-    const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
+    const bool isMoved = !isInPlace(*ready.map);
     ready.source = shape;
     std::vector<std::uint32_t> own(part.part.faces.size());
     std::iota(own.begin(), own.end(), 0U);
@@ -213,18 +216,36 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     return ready;
 }
 
+/// Deformations that are smooth only between planes get faces that end there, see inStages().
+ReadyPart makeReadyInStages(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
+                            const FaceChoice& choice, TaskControl& control)
+{
+    if (part.deformed == nullptr)
+        return makeReadyAsIs(part, shape, options, choice, control);
+    const std::shared_ptr<const SmoothMap> own = mapOfObjects(part);
+    TaskPortion stages(control, 0, 0.2);
+    const StagedPart last = inStages(part, shape, isInPlace(*own) ? nullptr : own, toleranceOf(part, options), stages);
+    ExportOptions rest = options;
+    if (last.isCarried)
+        rest.tolerance = toleranceOf(part, options) / 2;
+    TaskPortion making(control, 0.2, 1);
+    return makeReadyAsIs(last.part, last.shape, rest, choice, making);
+}
+
 } // namespace
 
 ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
                     const FaceChoice& choice, TaskControl& control)
 {
     const TopoDS_Shape own = shape.IsNull() ? shape : inMillimetres(shape, part.part.exact->unit);
-    if ((!part.cut && !part.slit) || own.IsNull())
+    if (own.IsNull())
         return makeReadyAsIs(part, own, options, choice, control);
+    if (!part.cut && !part.slit)
+        return makeReadyInStages(part, own, options, choice, control);
     if (const auto cut = part.slit ? slitShape(own, *part.slit) : cutShape(own, *part.cut)) {
-        const PartToExport piece = asCut(part, *cut);
+        const PartToExport piece = withShape(part, cut->shape, cut->origin);
         if (piece.part.watertight)
-            return makeReadyAsIs(piece, cut->shape, options, choice, control);
+            return makeReadyInStages(piece, cut->shape, options, choice, control);
     }
     PartToExport flat = part;
     flat.reason = Message("Export", "its faces could not be cut where the knife went.");

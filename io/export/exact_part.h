@@ -43,9 +43,10 @@ struct ReadyPart {
     TopoDS_Shape source;            ///< of an exact part, at rest [mm]
     std::vector<std::uint32_t> originOfDivided; ///< where faces of it were divided: of which of the part each is
     std::shared_ptr<const SmoothMap> map;       ///< that took it where it is [m]
-    std::vector<MorphedFaceNote> notes;         ///< on the faces of `source`; none where they stayed or are flat
-    std::vector<std::uint32_t> origin; ///< per written face, which of `source` it is or is a part of; none: in order
-    TriangleMesh skin;                 ///< where the surface that is written as flat faces is, finely [m]
+    bool findsForms = false; ///< see MorphOptions: for maps that a person gave, which make simple forms of such
+    std::vector<MorphedFaceNote> notes; ///< on the faces of `source`; none where they stayed or are flat
+    std::vector<std::uint32_t> origin;  ///< per written face, which of `source` it is or is a part of; none: in order
+    TriangleMesh skin;                  ///< where the surface that is written as flat faces is, finely [m]
     std::vector<std::uint32_t>
         misfits; ///< faces of `source` that did not come back fit at all, as checkWritten() finds
 

@@ -229,13 +229,15 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
 
 } // namespace
 
-ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control)
+ExportedFile exportCad(FormatKind kind, ExportJob job, TaskControl& control)
 {
     if (job.parts.empty())
         throw Problem(Message("Export", "There is nothing to export."));
     const auto start = std::chrono::steady_clock::now();
     Choices choices(job.parts.size());
-    TaskPortion first(control, 0, 0.8);
+    TaskPortion mapping(control, 0, 0.1);
+    makeMaps(job, mapping);
+    TaskPortion first(control, 0.1, 0.8);
     Attempt attempt = writeAndReadBack(kind, job, choices, first);
     for (double done = 0.8; choose(job, attempt, choices); done = 0.5 * (1 + done)) {
         TaskPortion again(control, done, 0.5 * (1 + done));

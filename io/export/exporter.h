@@ -18,6 +18,6 @@ struct ExportedFile {
 /// Writes the parts of a job as STEP, IGES or BREP, reads that back and compares. Takes the OpenCASCADE lock; may crash where
 /// OpenCASCADE does, see isolated_export.h.
 /// @throws Problem. @throws Cancelled
-ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control);
+ExportedFile exportCad(FormatKind kind, ExportJob job, TaskControl& control);
 
 } // namespace knead

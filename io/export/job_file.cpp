@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "core/skin/former_shape.h"
+#include "io/export/deformation_bytes.h"
 #include "io/files/byte_blocks.h"
 #include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
@@ -223,6 +224,7 @@ std::string jobToBytes(const ExportJob& job)
     Model model;
     model.tree = job.tree;
     Json parts = Json::array();
+    DeformationLists lists;
     for (const PartToExport& part : job.parts) {
         model.parts.push_back(part.part);
         parts.push_back({{"density", part.density},
@@ -231,6 +233,7 @@ std::string jobToBytes(const ExportJob& job)
                          {"sheets", part.cut ? part.cut->sheets.size() : 0},
                          {"spacing", part.cut ? part.cut->spacing : 0},
                          {"hasSlit", part.slit != nullptr},
+                         {"deformations", lists.add(part.deformations)},
                          {"before", part.before ? Json{{"volume", part.before->volume},
                                                        {"faces", part.before->faces},
                                                        {"edges", part.before->edges}}
@@ -241,6 +244,7 @@ std::string jobToBytes(const ExportJob& job)
     blocks.add(std::string_view(
         Json{{"options", toJson(job.options)}, {"parts", parts}}.dump(-1, ' ', false, Json::error_handler_t::replace)));
     blocks.add(std::string_view(modelToBytes(model)));
+    lists.write(blocks);
     for (const PartToExport& part : job.parts) {
         if (part.cut) {
             for (const std::vector<Vec3>& sheet : part.cut->sheets)
@@ -269,6 +273,7 @@ ExportJob jobFromBytes(std::string_view bytes)
         BlockReader blocks(bytes, "export job");
         const Json json = Json::parse(blocks.next());
         Model model = modelFromBytes(blocks.next());
+        const DeformationLists lists(blocks);
         ExportJob job;
         job.options = optionsFrom(json.at("options"));
         job.tree = std::move(model.tree);
@@ -289,6 +294,7 @@ ExportJob jobFromBytes(std::string_view bytes)
                 cut.outside = blocks.nextArray<Vec3>();
                 part.cut = std::make_shared<const PieceCut>(std::move(cut));
             }
+            part.deformations = lists.at(json.at("parts").at(i).at("deformations").get<std::size_t>());
             if (json.at("parts").at(i).at("hasSlit").get<bool>())
                 part.slit = std::make_shared<const KnifeSlit>(nextSlit(blocks));
             if (const Json& before = json.at("parts").at(i).at("before"); !before.is_null())

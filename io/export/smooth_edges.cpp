@@ -1,5 +1,9 @@
 #include "io/export/smooth_edges.h"
 
+#include "io/morph/trimmed_face.h"
+
+#include <Eigen/LU>
+
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -191,8 +195,11 @@ private:
             const auto b = movedNormal(sides[1], share);
             if (!a || !b)
                 continue;
+            const double angle = angleBetween(*a, *b);
+            if (angle > meantSmoothAngle && isCreaseOfMap(sides, share))
+                continue;
             counted = true;
-            note(angleBetween(*a, *b), sides[0], share);
+            note(angle, sides[0], share);
         }
         m_result.count += counted ? 1 : 0;
     }
@@ -235,6 +242,22 @@ private:
         double v = 0;
         projection.LowerDistanceParameters(u, v);
         return normalAt(*surface, {u, v});
+    }
+
+    /// Whether the map takes the faces beside an edge to an angle itself.
+    bool isCreaseOfMap(const std::vector<Side>& sides, double share) const
+    {
+        std::vector<Vec3> normals;
+        for (const Side& side : sides) {
+            const auto normal = restNormal(side, share);
+            if (!normal)
+                return false;
+            const MillimetreMap map = m_map.forFace(placesOnEdges(m_sources(static_cast<int>(side.face) + 1)));
+            const gp_Pnt2d at = side.at(share);
+            const Mat3 gradient = map.gradient(toVec3(m_before[side.face]->Value(at.X(), at.Y()).XYZ()));
+            normals.push_back(gradient.determinant() * gradient.inverse().transpose() * *normal);
+        }
+        return angleBetween(normals[0], normals[1]) > meantSmoothAngle;
     }
 
     void note(double angle, const Side& side, double share)

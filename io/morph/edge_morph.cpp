@@ -1,5 +1,6 @@
 #include "io/morph/edge_morph.h"
 
+#include "io/morph/canonical_curve.h"
 #include "io/morph/millimetre_map.h"
 #include "io/morph/rigid_piece.h"
 #include "io/morph/spline_geometry.h"
@@ -26,20 +27,34 @@ double lengthOf(const GeomAdaptor_Curve& curve, double first, double last)
     return length;
 }
 
+/// With the curve that it is by its form, if it is one.
+bool takesForm(const std::vector<Vec3>& points, const SmoothMap& map, const MorphOptions& options, MorphedEdge& edge)
+{
+    std::vector<Vec3> places(points.size());
+    map.evaluate(points, places);
+    const auto form = canonicalCurve(places, options.rigidTolerance());
+    if (!form)
+        return false;
+    edge.curve = form->curve;
+    edge.first = form->first;
+    edge.last = form->last;
+    edge.error = form->error;
+    return true;
+}
+
 } // namespace
 
 MorphedEdge morphEdge(const TopoDS_Edge& edge, const SmoothMap& map, const MorphOptions& options)
 {
     MorphedEdge result;
-    if (BRep_Tool::Degenerated(edge)) {
-        BRep_Tool::Range(edge, result.first, result.last);
+    BRep_Tool::Range(edge, result.first, result.last);
+    Handle(Geom_Curve) source;
+    if (!BRep_Tool::Degenerated(edge))
+        source = BRep_Tool::Curve(edge, result.first, result.last);
+    result.sourceFirst = result.first;
+    result.sourceLast = result.last;
+    if (source.IsNull())
         return result;
-    }
-    const Handle(Geom_Curve) source = BRep_Tool::Curve(edge, result.first, result.last);
-    if (source.IsNull()) {
-        BRep_Tool::Range(edge, result.first, result.last);
-        return result;
-    }
     const GeomAdaptor_Curve curve(source, result.first, result.last);
     const double length = lengthOf(curve, result.first, result.last);
     const double perFeature = length / map.featureSize();
@@ -53,6 +68,8 @@ MorphedEdge morphEdge(const TopoDS_Edge& edge, const SmoothMap& map, const Morph
         result.isExact = true;
         return result;
     }
+    if (options.findsForms && takesForm(points, map, options, result))
+        return result;
     const CurveTarget target = [&](std::span<const double> parameters, std::span<Vec3> places) {
         std::vector<Vec3> at;
         at.reserve(parameters.size());

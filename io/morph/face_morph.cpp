@@ -1,7 +1,9 @@
 #include "io/morph/face_morph.h"
 
 #include "core/message/message.h"
+#include "io/morph/canonical_face.h"
 #include "io/morph/millimetre_map.h"
+#include "io/morph/parameter_curves.h"
 #include "io/morph/rigid_piece.h"
 #include "io/morph/spline_geometry.h"
 #include "io/morph/trim_mask.h"
@@ -9,7 +11,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <Standard_Failure.hxx>
 
@@ -26,32 +27,6 @@ constexpr int borderSamplesPerEdge = 16;
 constexpr double leastLooks = 6; // into a face, per direction
 constexpr double mostLooks = 60;
 constexpr double reach = 0.6; // beyond a face, in features: so near to the material its map is good, and smooth
-
-Handle(Geom2d_Curve) withoutTrim(Handle(Geom2d_Curve) curve)
-{
-    for (;;) {
-        const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve);
-        if (trimmed.IsNull())
-            return curve;
-        curve = trimmed->BasisCurve();
-    }
-}
-
-/// Lines, circles, ellipses and plain B-splines may stay; STEP readers fail on hyperbolas and parabolas, and turn the others
-/// into curves with another parameter.
-bool mayStay(const Geom2dAdaptor_Curve& curve)
-{
-    switch (curve.GetType()) {
-    case GeomAbs_Line:
-    case GeomAbs_Circle:
-    case GeomAbs_Ellipse:
-        return true;
-    case GeomAbs_BSplineCurve:
-        return !curve.IsPeriodic() && !curve.IsRational();
-    default:
-        return false;
-    }
-}
 
 class FaceMorpher {
 public:
@@ -71,7 +46,7 @@ public:
     MorphedFace run()
     {
         MorphedFace result;
-        if (staysRigid(result) || staysPlane(result))
+        if (staysRigid(result) || staysPlane(result) || (m_options.findsForms && takesForm(result)))
             return result;
         fit(result);
         addCurves(result, false);
@@ -92,6 +67,14 @@ private:
     std::vector<Vec3> samples() const
     {
         std::vector<Vec2> parameters = m_border;
+        const std::vector<Vec2> inside = samplesInside();
+        parameters.insert(parameters.end(), inside.begin(), inside.end());
+        return pointsAt(parameters);
+    }
+
+    std::vector<Vec2> samplesInside() const
+    {
+        std::vector<Vec2> parameters;
         for (double i = 0; i <= m_looks[0]; ++i)
             for (double j = 0; j <= m_looks[1]; ++j) {
                 const Vec2 share(i / m_looks[0], j / m_looks[1]);
@@ -99,7 +82,7 @@ private:
                 if (m_mask.isNear(at))
                     parameters.push_back(at);
             }
-        return pointsAt(parameters);
+        return parameters;
     }
 
     bool staysRigid(MorphedFace& result) const
@@ -146,6 +129,40 @@ private:
         result.kind = MorphedFaceKind::planar;
         result.surface = new Geom_Plane(
             gp_Ax3(toPoint(middle), gp_Dir(normal.x(), normal.y(), normal.z()), gp_Dir(side.x(), side.y(), side.z())));
+        return true;
+    }
+
+    /// A cylinder, cone, sphere or torus, in its own parameters.
+    bool takesForm(MorphedFace& result) const
+    {
+        const auto found = canonicalSurface(
+            {
+                .places = [&](std::span<const Vec2> parameters,
+                              std::span<Vec3> places) { m_map.evaluate(pointsAt(parameters), places); },
+                .low = m_face.low(),
+                .high = m_face.high(),
+                .isClosed = {isClosed(0), isClosed(1)},
+                .inside = samplesInside(),
+                .border = m_border,
+            },
+            m_options.rigidTolerance());
+        if (!found)
+            return false;
+        result.kind = MorphedFaceKind::reshaped;
+        result.surface = found->surface;
+        result.isMirrored = found->parameters.mirrors();
+        result.error = found->error;
+        for (const FaceEdge& edge : m_face.edges()) {
+            MorphedFace::EdgeCurves& curves = result.edges.emplace_back(edge.edge);
+            curves.first = edge.first;
+            curves.last = edge.last;
+            std::size_t side = 0;
+            for (const Handle(Geom2d_Curve) & curve : edge.shifted())
+                curves.curves[side++] = carriedCurve(curve, edge.first, edge.last, found->parameters,
+                                                     fittingOf(curve, edge.first, edge.last));
+            if (result.isMirrored && side == 2) // what was forward in the face is reversed there
+                std::swap(curves.curves[0], curves.curves[1]);
+        }
         return true;
     }
 
@@ -212,28 +229,16 @@ private:
             }
             std::size_t side = 0;
             for (const Handle(Geom2d_Curve) & curve : edge.shifted())
-                curves.curves[side++] = plain(curve, edge.first, edge.last);
+                curves.curves[side++] =
+                    isPlain(curve) ? withoutTrim(curve)
+                                   : plainCurve(curve, edge.first, edge.last, fittingOf(curve, edge.first, edge.last));
         }
     }
 
-    /// A curve that STEP can hold, in the same parameter.
-    Handle(Geom2d_Curve) plain(const Handle(Geom2d_Curve) & trimmed, double first, double last) const
+    CurveFitting fittingOf(const Handle(Geom2d_Curve) & curve, double first, double last) const
     {
-        const Handle(Geom2d_Curve) curve = withoutTrim(trimmed);
-        if (mayStay(Geom2dAdaptor_Curve(curve)))
-            return curve;
-        const Geom2dAdaptor_Curve adaptor(curve, first, last);
-        const Vec2 scale = metric(adaptor, first, last);
-        const CurveTarget target = [&](std::span<const double> parameters, std::span<Vec3> places) {
-            for (std::size_t i = 0; i < parameters.size(); ++i) {
-                const gp_Pnt2d at = adaptor.Value(parameters[i]);
-                places[i] = Vec3(at.X() * scale.x(), at.Y() * scale.y(), 0);
-            }
-        };
-        const auto fitted = fitCurve(
-            target, knotsOf(adaptor, first, last, m_options.degree), 0.3 * (last - first),
-            {.degree = m_options.degree, .tolerance = std::max(1e-9, 0.01 * m_options.tolerance), .mostSpans = 640});
-        return toPlaneGeometry(fitted.spline, scale);
+        const Geom2dAdaptor_Curve adaptor(withoutTrim(curve), first, last);
+        return {m_options.degree, std::max(1e-9, 0.01 * m_options.tolerance), metric(adaptor, first, last)};
     }
 
     /// How far a step along u and v goes in space at most, along a curve [mm].

@@ -18,15 +18,16 @@ namespace knead {
 
 /// How a face came through a map.
 enum class MorphedFaceKind {
-    kept,   ///< exactly where and what it was
-    moved,  ///< exactly what it was, at another place
-    planar, ///< a plane that became another plane
-    fitted, ///< a B-spline surface
-    flat,   ///< triangles, as was asked for
-    failed, ///< nothing to build a face on
+    kept,     ///< exactly where and what it was
+    moved,    ///< exactly what it was, at another place
+    planar,   ///< a plane that became another plane
+    fitted,   ///< a B-spline surface
+    flat,     ///< triangles, as was asked for
+    failed,   ///< nothing to build a face on
+    reshaped, ///< exactly a cylinder, cone, sphere or torus, see MorphOptions::findsForms
 };
 
-/// The surface of a face after a map, in the same parameters, and the curves of its edges in these.
+/// The surface of a face after a map, in the same parameters unless it is reshaped, and the curves of its edges in these.
 struct MorphedFace {
     struct EdgeCurves {
         TopoDS_Edge edge;                           ///< of the source, forward
@@ -37,6 +38,7 @@ struct MorphedFace {
 
     MorphedFaceKind kind = MorphedFaceKind::failed;
     Handle(Geom_Surface) surface;
+    bool isMirrored = false;       ///< its normal points to the other side of the material than before
     std::vector<EdgeCurves> edges; ///< none where a plane implies them
     double error = 0;              ///< largest distance from where the map takes it, as far as was looked [mm]
     Vec2 worst = Vec2::Zero();     ///< parameters where that was

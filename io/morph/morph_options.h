@@ -16,6 +16,9 @@ struct MorphOptions {
 
     double slope = 3e-3; ///< by which normals may be off along edges, so that faces that met smoothly still do [rad]
 
+    bool findsForms =
+        false; ///< makes cylinders, cones, spheres, tori, lines and circles of what the map takes to such ones
+
     std::set<std::uint32_t> flat;  ///< faces (from 0, as TopExp::MapShapes() numbers them) that are to be triangles
     DrawingFineness flatFineness;  ///< of these
     std::size_t mostFlat = 60'000; ///< triangles

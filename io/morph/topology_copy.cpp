@@ -2,8 +2,9 @@
 
 #include "core/message/message.h"
 #include "core/task/parallel_progress.h"
+#include "io/morph/parameter_curves.h"
+#include "io/morph/trimmed_face.h"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <TopAbs.hxx>
@@ -27,22 +28,6 @@ namespace {
 
 constexpr double vertexSlack = 1.5;  // by which the map may widen what a vertex covered
 constexpr double smoothAngle = 0.01; // [rad] up to which faces meet smoothly
-
-std::vector<Vec3> placesOnEdges(const TopoDS_Shape& face)
-{
-    constexpr int perEdge = 8;
-    std::vector<Vec3> places;
-    for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
-        if (BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
-            continue;
-        const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
-        for (int i = 0; i <= perEdge; ++i)
-            places.push_back(toVec3(
-                curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / perEdge)
-                    .XYZ()));
-    }
-    return places;
-}
 
 TopoDS_Shape emptyLike(const TopoDS_Shape& shape)
 {
@@ -218,7 +203,7 @@ void TopologyCopy::markSmoothEdges() const
 
 TopoDS_Shape TopologyCopy::imageOf(const TopoDS_Shape& source) const
 {
-    return m_images(source.Oriented(TopAbs_FORWARD)).Oriented(source.Orientation());
+    return m_images(source.Oriented(TopAbs_FORWARD)).Composed(source.Orientation());
 }
 
 bool TopologyCopy::isBesideSmooth(const TopoDS_Edge& edge) const
@@ -265,7 +250,8 @@ void TopologyCopy::makeEdge(const TopoDS_Edge& edge, const MorphedEdge& geometry
         m_builder.Add(image, vertexImage);
         const bool isInside = vertex.Orientation() == TopAbs_INTERNAL || vertex.Orientation() == TopAbs_EXTERNAL;
         if (isInside && !isDegenerated)
-            m_builder.UpdateVertex(vertexImage, BRep_Tool::Parameter(vertex, edge), image, 1e-7);
+            m_builder.UpdateVertex(vertexImage, geometry.rangedParameter(BRep_Tool::Parameter(vertex, edge)), image,
+                                   1e-7);
     }
     if (!geometry.curve.IsNull())
         m_builder.Range(image, geometry.first, geometry.last);
@@ -273,6 +259,22 @@ void TopologyCopy::makeEdge(const TopoDS_Edge& edge, const MorphedEdge& geometry
     m_builder.SameParameter(image, true);
     m_builder.SameRange(image, true);
     m_images.Bind(edge, image);
+}
+
+/// Over the range that the edge has now.
+MorphedFace::EdgeCurves TopologyCopy::inRangeOfImage(MorphedFace::EdgeCurves curves) const
+{
+    const MorphedEdge& edge = m_edgeResults[static_cast<std::size_t>(m_edges.FindIndex(curves.edge) - 1)];
+    if (!edge.hasOtherRange())
+        return curves;
+    const double first = edge.rangedParameter(curves.first);
+    const double last = edge.rangedParameter(curves.last);
+    for (Handle(Geom2d_Curve) & curve : curves.curves)
+        if (!curve.IsNull())
+            curve = rangedCurve(curve, curves.first, curves.last, first, last, {.degree = m_options.degree});
+    curves.first = first;
+    curves.last = last;
+    return curves;
 }
 
 /// Without its border.
@@ -284,8 +286,9 @@ TopoDS_Face TopologyCopy::makeFace(const TopoDS_Face& face, const MorphedFace& g
     else
         m_builder.MakeFace(image, geometry.surface, TopLoc_Location(), 1e-7);
     m_builder.NaturalRestriction(image, BRep_Tool::NaturalRestriction(face));
-    for (const MorphedFace::EdgeCurves& curves : geometry.edges) {
-        const TopoDS_Edge edge = TopoDS::Edge(m_images(curves.edge));
+    for (const MorphedFace::EdgeCurves& ofSource : geometry.edges) {
+        const TopoDS_Edge edge = TopoDS::Edge(m_images(ofSource.edge));
+        const MorphedFace::EdgeCurves curves = inRangeOfImage(ofSource);
         if (curves.curves[1].IsNull())
             m_builder.UpdateEdge(edge, curves.curves[0], geometry.surface, TopLoc_Location(), 1e-7);
         else
@@ -297,9 +300,11 @@ TopoDS_Face TopologyCopy::makeFace(const TopoDS_Face& face, const MorphedFace& g
 
 void TopologyCopy::addWires(const TopoDS_Face& face, TopoDS_Face& image)
 {
+    // Seen from the other side, wires run the other way around.
+    const bool isMirrored = m_faceResults[static_cast<std::size_t>(m_faces.FindIndex(face) - 1)].isMirrored;
     for (TopoDS_Iterator child(face.Oriented(TopAbs_FORWARD)); child.More(); child.Next())
-        addCopy(image, child.Value());
-    m_images.Bind(face.Oriented(TopAbs_FORWARD), image);
+        addCopy(image, isMirrored ? child.Value().Reversed() : child.Value());
+    m_images.Bind(face.Oriented(TopAbs_FORWARD), isMirrored ? image.Reversed() : TopoDS_Shape(image));
 }
 
 /// Adds what a child of the source became: an edge may have become several ones, a face triangles.

@@ -54,6 +54,7 @@ private:
     void makeFlatFaces(TaskControl& control);
     void makeVertices();
     void makeEdge(const TopoDS_Edge& edge, const MorphedEdge& geometry);
+    MorphedFace::EdgeCurves inRangeOfImage(MorphedFace::EdgeCurves curves) const;
     TopoDS_Face makeFace(const TopoDS_Face& face, const MorphedFace& geometry);
     void addWires(const TopoDS_Face& face, TopoDS_Face& image);
     void addCopy(TopoDS_Shape& parent, const TopoDS_Shape& child);

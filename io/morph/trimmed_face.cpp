@@ -3,6 +3,7 @@
 #include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomLib.hxx>
@@ -258,6 +259,22 @@ std::vector<Vec2> TrimmedFace::borderSamples(int perEdge) const
                 samples.emplace_back(at.X(), at.Y());
             }
     return samples;
+}
+
+std::vector<Vec3> placesOnEdges(const TopoDS_Shape& face)
+{
+    constexpr int perEdge = 8;
+    std::vector<Vec3> places;
+    for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+        if (BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+            continue;
+        const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+        for (int i = 0; i <= perEdge; ++i)
+            places.push_back(toVec3(
+                curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / perEdge)
+                    .XYZ()));
+    }
+    return places;
 }
 
 } // namespace knead

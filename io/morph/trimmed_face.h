@@ -66,4 +66,7 @@ private:
     Vec2 m_high = Vec2::Constant(-1e100);
 };
 
+/// Places along the edges of a face in space, for SmoothMap::ofFace() [mm].
+std::vector<Vec3> placesOnEdges(const TopoDS_Shape& face);
+
 } // namespace knead

@@ -19,7 +19,8 @@ using namespace knead;
 
 // Closed valid solids of the corpus through several maps, written as STEP and read back: the table is printed as it grows.
 // Without further wishes only files o0* and parts of up to 60 faces are taken, which is a minute; KNEAD_FILES=o* and
-// KNEAD_MOST_FACES=100000 take all, some of which need minutes each. KNEAD_PART takes only parts of a name, KNEAD_MAP only a map.
+// KNEAD_MOST_FACES=100000 take all, some of which need minutes each. KNEAD_PART takes only parts of a name, KNEAD_MAP only a map;
+// KNEAD_NUMBERS=1 takes deformations by number instead of maps, KNEAD_FOLDER=hard another folder of the corpus.
 
 namespace {
 
@@ -82,8 +83,51 @@ PartToExport squeezed(const Part& part)
     return out;
 }
 
+/// Along the longest side, between a quarter and three quarters of it, toward the shortest one.
+NumberDeformation byNumber(const Part& part, NumberKind kind)
+{
+    const Vec3 sides = part.box.sizes();
+    Eigen::Index longest = 0;
+    Eigen::Index shortest = 0;
+    sides.maxCoeff(&longest);
+    sides.minCoeff(&shortest);
+    if (shortest == longest)
+        shortest = (longest + 1) % 3;
+    return {.kind = kind,
+            .origin = part.box.center(),
+            .axis = Vec3::Unit(longest),
+            .side = Vec3::Unit(shortest),
+            .from = -sides[longest] / 4,
+            .to = sides[longest] / 4};
+}
+
+std::vector<std::pair<std::string, PartToExport>> jobsByNumber(const Part& part)
+{
+    std::vector<std::pair<std::string, PartToExport>> jobs;
+    const auto add = [&](const char* name, const NumberDeformation& deformation) {
+        PartToExport job{.part = part};
+        job.deformations = std::make_shared<const std::vector<Deformation>>(1, deformation);
+        jobs.emplace_back(name, std::move(job));
+    };
+    NumberDeformation bend = byNumber(part, NumberKind::bend);
+    bend.angle = std::numbers::pi / 6;
+    add("bend", bend);
+    NumberDeformation twist = byNumber(part, NumberKind::twist);
+    twist.angle = std::numbers::pi / 6;
+    add("twist", twist);
+    NumberDeformation taper = byNumber(part, NumberKind::taper);
+    taper.factor = 0.8;
+    add("taper", taper);
+    NumberDeformation stretch = byNumber(part, NumberKind::stretch);
+    stretch.factor = 1.2;
+    add("stretch", stretch);
+    return jobs;
+}
+
 std::vector<std::pair<std::string, PartToExport>> jobsOf(const Part& part)
 {
+    if (qEnvironmentVariableIsSet("KNEAD_NUMBERS"))
+        return jobsByNumber(part);
     const double size = part.box.diagonal().norm();
     std::vector<std::pair<std::string, PartToExport>> jobs;
     const auto add = [&](const char* name, std::shared_ptr<const SmoothMap> map) {
@@ -163,6 +207,7 @@ private:
 
     std::map<std::string, std::pair<int, int>> m_counts; // sound and all, by map
     std::vector<double> m_volumeErrors;
+    std::vector<double> m_seconds;
     int m_pairs = 0;
     int m_sound = 0;
 };
@@ -173,8 +218,9 @@ void MorphCorpusTest::solidsComeThroughMapsAndFiles_data()
     const QString folder = qEnvironmentVariable("KNEAD_CORPUS");
     const QString pattern = qEnvironmentVariable("KNEAD_FILES", "o0*");
     if (!folder.isEmpty())
-        for (const QString& file : QDir(folder + "/open").entryList({pattern}, QDir::Files))
-            QTest::newRow(qPrintable(file)) << folder + "/open/" + file;
+        for (const QDir kind(folder + "/" + qEnvironmentVariable("KNEAD_FOLDER", "open"));
+             const QString& file : kind.entryList({pattern}, QDir::Files))
+            QTest::newRow(qPrintable(file)) << kind.filePath(file);
     else
         QTest::newRow("no corpus") << QString();
 }
@@ -206,6 +252,7 @@ void MorphCorpusTest::tryAll(const QString& file, const Part& part)
         m_sound += isGood ? 1 : 0;
         m_counts[name].first += isGood ? 1 : 0;
         ++m_counts[name].second;
+        m_seconds.push_back(row.seconds);
         if (row.isExact)
             m_volumeErrors.push_back(row.volumeError);
         std::printf("%-32s %-20.20s %5zu faces  %-8s %-9s deviation %5.2f of allowed, volume %8.1e, kink %5.2f deg, "
@@ -227,8 +274,8 @@ void MorphCorpusTest::theFloorHolds()
     for (const auto& [name, count] : m_counts)
         std::printf("%-8s %d of %d\n", name.c_str(), count.first, count.second);
     QVERIFY(!m_volumeErrors.empty());
-    std::printf("%d of %d pairs come out exact and sound; median volume error %.1e\n", m_sound, m_pairs,
-                medianOf(m_volumeErrors));
+    std::printf("%d of %d pairs come out exact and sound; median volume error %.1e, median of %.2f s\n", m_sound,
+                m_pairs, medianOf(m_volumeErrors), medianOf(m_seconds));
     QVERIFY(m_sound >= leastShare * m_pairs);
     QVERIFY(medianOf(m_volumeErrors) < medianVolume);
 }
