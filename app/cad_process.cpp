@@ -2,9 +2,12 @@
 
 #include "core/message/message.h"
 #include "core/model/joined_model.h"
+#include "io/fields/nodal_mesh.h"
 #include "io/worker/export_worker.h"
+#include "io/worker/field_worker.h"
 #include "io/worker/import_worker.h"
 #include "io/worker/isolated_export.h"
+#include "io/worker/isolated_field.h"
 #include "io/worker/isolated_import.h"
 
 #include <algorithm>
@@ -121,6 +124,16 @@ FilePreview previewInChild(const std::string& path, TaskControl& control)
     return previewIsolated(cadProgram(), path, limitsFor(path), control);
 }
 
+FieldFile readFieldInChild(const std::string& path, const FieldChoice& choice, TaskControl& control)
+{
+    return readFieldIsolated(cadProgram(), path, choice, control);
+}
+
+NodalMesh readNodesInChild(const std::string& path, const std::string& unit, TaskControl& control)
+{
+    return readNodesIsolated(cadProgram(), path, unit, control);
+}
+
 Model importInChildren(const std::vector<std::string>& paths, const ImportOptions& options, TaskControl& control)
 {
     if (paths.size() == 1)
@@ -143,13 +156,15 @@ Model importInChildren(const std::vector<std::string>& paths, const ImportOption
 
 bool isCadProcess(int argc, char** argv)
 {
-    return isImportWorker(argc, argv) || isExportWorker(argc, argv);
+    return isImportWorker(argc, argv) || isExportWorker(argc, argv) || isFieldWorker(argc, argv);
 }
 
 int workForParent(int argc, char** argv)
 {
     if (isExportWorker(argc, argv))
         runExportWorker(argc, argv);
+    if (isFieldWorker(argc, argv))
+        runFieldWorker(argc, argv);
     runImportWorker(argc, argv);
 }
 

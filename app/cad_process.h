@@ -2,6 +2,7 @@
 
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
+#include "core/model/field_file.h"
 #include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace knead {
+
+struct NodalMesh; // io/fields/nodal_mesh.h
 
 /// Reads a file in a process of its own, with the limits that its size calls for. Every import of the program goes this way:
 /// window, commands and recipes. On any thread, any number at a time.
@@ -28,6 +31,15 @@ FilePreview previewInChild(const std::string& path, TaskControl& control);
 /// Writes parts to STEP, IGES or BREP in a process of its own, reads that back and compares.
 /// @throws std::runtime_error, in a sentence for the person; the file that was there before is there still. @throws Cancelled
 ExportReport exportInChild(const std::string& path, const ExportJob& job, TaskControl& control);
+
+/// Reads the displacements at the nodes of another program's result in a process of its own, see io/fields/field_reader.h.
+/// @throws as importInChild()
+FieldFile readFieldInChild(const std::string& path, const FieldChoice& choice, TaskControl& control);
+
+/// Reads the nodes of a mesh, and its cells where there are some, in a process of its own.
+/// @param unit of lengths in the file; empty: that which the file says, else mm
+/// @throws as importInChild()
+NodalMesh readNodesInChild(const std::string& path, const std::string& unit, TaskControl& control);
 
 /// Whether this process was started by a function above in another one; then it is to call workForParent() and nothing else.
 bool isCadProcess(int argc, char** argv);

@@ -128,7 +128,9 @@ bool holdsText(const std::string& path, std::string_view text)
     return false;
 }
 
-std::uintmax_t checkedSize(const std::string& path)
+} // namespace
+
+std::uintmax_t sizeOfFile(const std::string& path)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -148,11 +150,9 @@ std::uintmax_t checkedSize(const std::string& path)
     return size;
 }
 
-} // namespace
-
 FormatKind recognizeFormat(const std::string& path)
 {
-    const std::uintmax_t size = checkedSize(path);
+    const std::uintmax_t size = sizeOfFile(path);
     const std::string head = readHead(path);
     if (head.starts_with("PK\x03\x04")) {
         const ZipContent zip = zipContent(path);

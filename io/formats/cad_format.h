@@ -4,6 +4,7 @@
 #include "core/model/file_formats.h"
 #include "core/model/file_names.h"
 
+#include <cstdint>
 #include <string>
 
 namespace knead {
@@ -13,6 +14,9 @@ namespace knead {
 /// @throws Problem that names the file and what it really is: missing, empty, a folder, an
 ///         archive, another kind of document, or no known format.
 FormatKind recognizeFormat(const std::string& path);
+
+/// How long a file is [bytes]. @throws Problem, when it is missing, empty, a folder or no ordinary file
+std::uintmax_t sizeOfFile(const std::string& path);
 
 /// @throws Problem aboutFile().
 [[noreturn]] void failReading(const std::string& path, const Message& sentence);

@@ -36,13 +36,13 @@ int runExportWorker(int, char** argv)
 {
     const std::string path = argv[2];
     const Json request = Json::parse(argv[3]);
-    serveParent(
-        {request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()}, shortName(path),
-        Message("Export", "the export asks for more memory than there is; export fewer parts at a time."),
-        [&](TaskControl& control) {
-            const ExportJob job = jobFromBytes(requestOfParent());
-            return exportedToBytes(exportCad(static_cast<FormatKind>(request.at("kind").get<int>()), job, control));
-        });
+    serveParent({request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
+                shortName(path),
+                Message("Export", "the export asks for more memory than there is; export fewer parts at a time."),
+                [&](TaskControl& control) {
+                    return exportedToBytes(exportCad(static_cast<FormatKind>(request.at("kind").get<int>()),
+                                                     jobFromBytes(requestOfParent()), control));
+                });
 }
 
 } // namespace knead
