@@ -1,6 +1,10 @@
 #include "app/sweep/slurm_commands.h"
 
+#include "app/file_content.h"
+#include "io/files/safe_file.h"
 #include "io/worker/child_process.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <sstream>
@@ -9,6 +13,8 @@
 #include <unistd.h>
 
 namespace knead {
+
+using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -36,7 +42,7 @@ Answer ask(const std::vector<std::string>& words)
     if (!isInPath(words.front()))
         throw std::runtime_error("There is no command " + words.front() +
                                  " on this machine. --engine slurm is for machines from "
-                                 "which jobs of Slurm are submitted; leave it out to run the sweep here.");
+                                 "which jobs of Slurm are submitted; leave it out to run here.");
     const NamelessFile output;
     const NamelessFile errors;
     const ChildEnd end = runChild(
@@ -84,6 +90,14 @@ std::vector<std::string> wordsOf(const SlurmArray& array)
 
 } // namespace
 
+std::string quotedForShell(const std::string& text)
+{
+    std::string result = "'";
+    for (const char character : text)
+        result += character == '\'' ? std::string("'\\''") : std::string(1, character);
+    return result + "'";
+}
+
 std::string rangesOf(const std::vector<std::size_t>& numbers)
 {
     std::string text;
@@ -104,7 +118,7 @@ SlurmJob submit(const SlurmArray& array)
     const Answer answer = ask(wordsOf(array));
     const std::string id = answer.output.substr(0, answer.output.find_first_of(";\n"));
     if (!answer.isGood || id.empty())
-        throw std::runtime_error("Slurm refuses the jobs of the sweep: " + complaintIn(answer.errors) +
+        throw std::runtime_error("Slurm refuses the jobs: " + complaintIn(answer.errors) +
                                  ". Options for sbatch are given with --slurm-option.");
     return {id, array.base};
 }
@@ -125,6 +139,24 @@ std::optional<std::set<std::size_t>> queuedPoints(const std::vector<SlurmJob>& j
             if (job.id == id && found == name)
                 points.insert(job.base + task);
     return points;
+}
+
+std::vector<SlurmJob> jobsIn(const std::string& path)
+{
+    std::vector<SlurmJob> jobs;
+    const Json json = Json::parse(textOf(path).value_or("[]"), nullptr, false);
+    for (const Json& job : json)
+        if (job.is_object() && job.contains("job") && job.contains("base"))
+            jobs.push_back({job.at("job"), job.at("base")});
+    return jobs;
+}
+
+void keepJobs(const std::string& path, const std::vector<SlurmJob>& jobs)
+{
+    Json json = Json::array();
+    for (const SlurmJob& job : jobs)
+        json.push_back({{"job", job.id}, {"base", job.base}});
+    writeFileSafely(path, json.dump() + "\n");
 }
 
 bool cancelJobs(const std::vector<SlurmJob>& jobs)

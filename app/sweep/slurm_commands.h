@@ -26,6 +26,9 @@ struct SlurmArray {
     std::vector<std::string> options; ///< further ones of sbatch
 };
 
+/// A word for a shell.
+std::string quotedForShell(const std::string& text);
+
 /// "0-3,7,9-12", as sbatch takes them.
 std::string rangesOf(const std::vector<std::size_t>& numbers);
 
@@ -35,6 +38,12 @@ SlurmJob submit(const SlurmArray& array);
 /// Points whose tasks wait or run. None when Slurm does not answer.
 /// @param name of the jobs; others with the same number belong to somebody else
 std::optional<std::set<std::size_t>> queuedPoints(const std::vector<SlurmJob>& jobs, const std::string& name);
+
+/// Jobs that were kept in a file; none when there is no such file.
+std::vector<SlurmJob> jobsIn(const std::string& path);
+
+/// @throws Problem when the disk refuses
+void keepJobs(const std::string& path, const std::vector<SlurmJob>& jobs);
 
 /// Ends jobs with all their tasks. @return whether Slurm did
 bool cancelJobs(const std::vector<SlurmJob>& jobs);

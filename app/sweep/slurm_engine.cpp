@@ -1,8 +1,8 @@
 #include "app/sweep/slurm_engine.h"
 
+#include "app/file_content.h"
+#include "app/sweep/queue_watch.h"
 #include "io/files/safe_file.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -15,28 +15,15 @@
 namespace knead {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
 constexpr std::size_t arrayLength =
     1000; // Slurm's own limit on the numbers of tasks, unless it is configured otherwise
 constexpr std::chrono::milliseconds pauseOfTasks{200}; // between looks at the folder
-constexpr std::chrono::seconds queueInterval{5};       // between questions to Slurm, who serves many
-constexpr std::chrono::seconds lateness{10};           // of files of a task that has ended, on network file systems
 constexpr std::size_t tailLength = 300;                // of what a task printed, in a sentence
 
 constexpr const char* jobsName = "slurm/jobs.json";
-
-/// For a shell.
-std::string quotedForShell(const std::string& text)
-{
-    std::string result = "'";
-    for (const char character : text)
-        result += character == '\'' ? std::string("'\\''") : std::string(1, character);
-    return result + "'";
-}
 
 std::string scriptFor(const SweepFolder& folder, unsigned threads)
 {
@@ -63,24 +50,22 @@ public:
         , m_missing(points.begin(), points.end())
         , m_progress(progress)
         , m_jobs(jobsOf(folder))
+        , m_queue(jobName(plan))
     {
     }
 
     LostPoints run(const SlurmOptions& options)
     {
-        lookAtQueue();
+        m_queue.ask(m_jobs, m_missing);
         submitMissing(options);
-        m_queued = m_missing;
-        m_gone.clear();
-        m_nextQuestion = Clock::now() + queueInterval;
+        m_queue.begin(m_missing);
         while (!m_missing.empty()) {
             m_progress.control().throwIfCancelled();
             collect();
-            if (Clock::now() >= m_nextQuestion)
-                lookAtQueue();
+            m_queue.askNowAndThen(m_jobs, m_missing);
             giveUpVanished();
-            m_progress.show(std::to_string(m_queued.size()) +
-                            (m_answers ? " in Slurm" : " in Slurm, which does not answer"));
+            m_progress.show(std::to_string(m_queue.queued().size()) +
+                            (m_queue.answers() ? " in Slurm" : " in Slurm, which does not answer"));
             if (!m_missing.empty())
                 std::this_thread::sleep_for(pauseOfTasks);
         }
@@ -93,7 +78,7 @@ private:
     {
         std::map<std::size_t, std::vector<std::size_t>> tasks; // by their base
         for (const std::size_t point : m_missing)
-            if (!m_queued.contains(point))
+            if (!m_queue.queued().contains(point))
                 tasks[point / arrayLength * arrayLength].push_back(point % arrayLength);
         if (tasks.empty())
             return;
@@ -109,16 +94,8 @@ private:
                                      .throttle = options.throttle,
                                      .threads = options.threads,
                                      .options = options.options}));
-            writeJobs();
+            keepJobs(m_folder.pathOf(jobsName), m_jobs);
         }
-    }
-
-    void writeJobs() const
-    {
-        Json json = Json::array();
-        for (const SlurmJob& job : m_jobs)
-            json.push_back({{"job", job.id}, {"base", job.base}});
-        writeFileSafely(m_folder.pathOf(jobsName), json.dump() + "\n");
     }
 
     /// Takes up results that have come.
@@ -131,35 +108,23 @@ private:
                 continue;
             }
             m_progress.finished(*point, *result);
-            m_queued.erase(*point);
+            m_queue.finished(*point);
             point = m_missing.erase(point);
         }
-    }
-
-    void lookAtQueue()
-    {
-        const auto queued = queuedPoints(m_jobs, jobName(m_plan));
-        m_answers = queued.has_value();
-        m_nextQuestion = Clock::now() + queueInterval;
-        if (!queued)
-            return;
-        m_queued = *queued;
-        for (const std::size_t point : m_missing)
-            if (m_queued.contains(point))
-                m_gone.erase(point);
-            else
-                m_gone.try_emplace(point, Clock::now());
     }
 
     /// Tasks that ended a while ago and left no result.
     void giveUpVanished()
     {
-        for (const auto& [point, since] : m_gone)
-            if (m_missing.contains(point) && Clock::now() > since + lateness) {
-                m_missing.erase(point);
-                m_lost.emplace(point, sentenceFor(point));
-                m_progress.lost(m_lost.at(point));
+        for (auto point = m_missing.begin(); point != m_missing.end();) {
+            if (!m_queue.hasVanished(*point)) {
+                ++point;
+                continue;
             }
+            m_lost.emplace(*point, sentenceFor(*point));
+            m_progress.lost(m_lost.at(*point));
+            point = m_missing.erase(point);
+        }
     }
 
     /// The last job that had the point, with the end of what its task printed.
@@ -181,11 +146,8 @@ private:
     std::set<std::size_t> m_missing;
     SweepProgress& m_progress;
     std::vector<SlurmJob> m_jobs;
-    std::set<std::size_t> m_queued;                  ///< as Slurm said last
-    std::map<std::size_t, Clock::time_point> m_gone; ///< missing, and since when Slurm knows nothing of them
+    QueueWatch m_queue;
     LostPoints m_lost;
-    bool m_answers = true;
-    Clock::time_point m_nextQuestion{};
 };
 
 } // namespace
@@ -198,12 +160,7 @@ LostPoints runOnSlurm(const SweepFolder& folder, const SweepPlan& plan, const st
 
 std::vector<SlurmJob> jobsOf(const SweepFolder& folder)
 {
-    std::vector<SlurmJob> jobs;
-    const Json json = Json::parse(textOf(folder.pathOf(jobsName)).value_or("[]"), nullptr, false);
-    for (const Json& job : json)
-        if (job.is_object() && job.contains("job") && job.contains("base"))
-            jobs.push_back({job.at("job"), job.at("base")});
-    return jobs;
+    return jobsIn(folder.pathOf(jobsName));
 }
 
 } // namespace knead

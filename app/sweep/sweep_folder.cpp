@@ -1,5 +1,6 @@
 #include "app/sweep/sweep_folder.h"
 
+#include "app/file_content.h"
 #include "io/files/safe_file.h"
 
 #include <nlohmann/json.hpp>
@@ -7,8 +8,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace knead {
@@ -37,15 +36,6 @@ void makeFolder(const std::string& path)
 }
 
 } // namespace
-
-std::optional<std::string> textOf(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file)
-        text << file.rdbuf();
-    return file && text ? std::optional(text.str()) : std::nullopt;
-}
 
 SweepFolder::SweepFolder(const std::string& path)
     : m_path(fs::absolute(path).lexically_normal().string())

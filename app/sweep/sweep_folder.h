@@ -55,7 +55,4 @@ private:
     std::string m_path; ///< absolute
 };
 
-/// The text of a file. None when it is not there.
-std::optional<std::string> textOf(const std::string& path);
-
 } // namespace knead

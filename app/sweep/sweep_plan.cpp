@@ -1,13 +1,11 @@
 #include "app/sweep/sweep_plan.h"
 
+#include "app/file_content.h"
 #include "app/resources.h"
 #include "io/material_library.h"
 #include "io/recipe/recipe_reader.h"
 
 #include <nlohmann/json.hpp>
-
-#include <QCryptographicHash>
-#include <QFile>
 
 #include <algorithm>
 #include <filesystem>
@@ -21,16 +19,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// Empty when the file cannot be read.
-std::string digestOf(const std::string& path)
-{
-    QFile file(QString::fromStdString(path));
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-        return "";
-    return hash.result().toHex().toStdString();
-}
 
 std::string nameOf(const SweepInput& input)
 {
@@ -106,8 +94,7 @@ Json identityOf(const SweepPlan& plan)
 
 std::string keyOf(const SweepPlan& plan)
 {
-    const std::string text = identityOf(plan).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().toStdString();
+    return digestOfText(identityOf(plan).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool hasInput(const SweepPlan& plan, const SweepInput& wanted)

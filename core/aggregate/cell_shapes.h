@@ -21,17 +21,18 @@ struct CellQuality {
 /// The cells of an aggregate: eight objects that are connected along all twelve edges. Immutable; any thread.
 class CellShapes {
 public:
+    using Corners = std::array<ObjectIndex, 8>; ///< bits 2, 1, 0 of the place in it: further along u, v, w
+
     explicit CellShapes(const Aggregate& aggregate);
 
     std::size_t count() const { return m_cells.size(); }
+    const std::vector<Corners>& cells() const { return m_cells; }
 
     /// Of all cells. Uses several threads; same bits for any number.
     /// @param place where an object is [m]; called from all of them
     CellQuality quality(const std::function<Vec3(ObjectIndex)>& place) const;
 
 private:
-    using Corners = std::array<ObjectIndex, 8>; ///< bits 2, 1, 0 of the place in it: further along u, v, w
-
     std::vector<Corners> m_cells;
     double m_spacing;
     double m_handedness; ///< -1 where u, v, w are a left-handed system, else 1

@@ -20,6 +20,7 @@ private slots:
     void vanishedTasksAreSubmittedAgain();
     void longSweepsTakeSeveralArrays();
     void refusalsOfSlurmAreASentence();
+    void roundsOfACompensationAreJobs();
 
 private:
     QStringList arguments(const QString& folder, const QStringList& more) const
@@ -74,7 +75,7 @@ void SweepSlurmTest::withoutSlurmThereIsASentence()
     QCOMPARE(outcome.errors,
              std::string(
                  "knead: There is no command sbatch on this machine. --engine slurm is for machines from which jobs of "
-                 "Slurm are submitted; leave it out to run the sweep here.\n"));
+                 "Slurm are submitted; leave it out to run here.\n"));
 }
 
 void SweepSlurmTest::theTableIsThatOfThisMachine()
@@ -195,9 +196,41 @@ void SweepSlurmTest::refusalsOfSlurmAreASentence()
     QCOMPARE(outcome.status, 1);
     QCOMPARE(
         outcome.errors,
-        std::string(
-            "knead: Slurm refuses the jobs of the sweep: invalid partition specified: nowhere; Batch job submission "
-            "failed: Invalid partition name specified. Options for sbatch are given with --slurm-option.\n"));
+        std::string("knead: Slurm refuses the jobs: invalid partition specified: nowhere; Batch job submission "
+                    "failed: Invalid partition name specified. Options for sbatch are given with --slurm-option.\n"));
+}
+
+/// A bar that is too long by a hundredth. Interrupted in its second round, it takes up the job that goes on.
+void SweepSlurmTest::roundsOfACompensationAreJobs()
+{
+    if (!m_missing.isEmpty())
+        KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
+    const json study{{"version", 1},
+                     {"part", std::string(KNEAD_RESOURCES) + "/examples/bar.step"},
+                     {"tolerance_mm", 0.05},
+                     {"spacing_mm", 20},
+                     {"mesh_spacing_mm", 10},
+                     {"field", {{"file", "longer.csv"}, {"unit", "mm"}}},
+                     {"command",
+                      {"sh", "-c",
+                       "echo round {round}; while [ {round} = 2 ] && [ ! -e {study}/go ]; do sleep 0.1; done; "
+                       "awk -F, -v f={field} '/^\\*/ { n = /^\\*NODE/; next } n { print $2 \",\" $3 \",\" $4 \",\" $2 "
+                       "/ 100 \",0,0\" > f }' {mesh}"}}};
+    const QString folder = m_shop.qPath("compensation");
+    const QStringList arguments{"compensate", m_shop.write(study, "study.json"), "--out", folder, "--engine", "slurm"};
+    QProcess process;
+    process.setProcessEnvironment(serverEnvironment());
+    process.start(KNEAD_PROGRAM, arguments);
+    while (contentOf(folder + "/round-02/log.txt").empty() && !process.waitForFinished(50)) {}
+    const std::string job = contentOf(folder + "/round-02/jobs.json");
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitCode(), 130);
+    std::ofstream(m_shop.path("go")) << "";
+    const Outcome outcome = knead(arguments);
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    QVERIFY2(outcome.out.find("2 rounds, 1 finished before\n") != std::string::npos, outcome.out.c_str());
+    QCOMPARE(contentOf(folder + "/round-02/jobs.json"), job);
 }
 
 QTEST_GUILESS_MAIN(SweepSlurmTest)
