@@ -11,14 +11,6 @@ namespace knead {
 
 namespace {
 
-/// Fine enough to bend with the objects, where these were put.
-TriangleMesh split(const TriangleMesh& mesh, const Aggregate& aggregate, std::size_t mostTriangles)
-{
-    if (!aggregate.former)
-        return refine(mesh, aggregate.lattice.spacing, mostTriangles);
-    return carriedSurface(mesh, *aggregate.former, aggregate.lattice.spacing, mostTriangles).mesh;
-}
-
 void carry(TriangleMesh& surface, const Skin& skin, std::span<const Vec3> displacements)
 {
     std::vector<Vec3> places(surface.vertices.size());
@@ -28,10 +20,17 @@ void carry(TriangleMesh& surface, const Skin& skin, std::span<const Vec3> displa
 
 } // namespace
 
+TriangleMesh bendableSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::size_t mostTriangles)
+{
+    if (!aggregate.former)
+        return refine(mesh, aggregate.lattice.spacing, mostTriangles);
+    return carriedSurface(mesh, *aggregate.former, aggregate.lattice.spacing, mostTriangles).mesh;
+}
+
 TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
                              std::size_t mostTriangles, TaskControl& control)
 {
-    TriangleMesh surface = split(mesh, aggregate, mostTriangles);
+    TriangleMesh surface = bendableSurface(mesh, aggregate, mostTriangles);
     carry(surface, Skin(aggregate, surface.vertices, control), displacements);
     return surface;
 }
@@ -39,7 +38,7 @@ TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregat
 StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, const ObjectStrains& body,
                                 std::span<const ObjectIndex> loaded, std::size_t mostTriangles, TaskControl& control)
 {
-    StrainedSurface surface{.mesh = split(mesh, aggregate, mostTriangles), .fields = {}};
+    StrainedSurface surface{.mesh = bendableSurface(mesh, aggregate, mostTriangles), .fields = {}};
     TaskPortion placing(control, 0, 0.5);
     const Skin skin(aggregate, surface.mesh.vertices, placing);
     TaskPortion straining(control, 0.5, 1);

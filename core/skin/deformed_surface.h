@@ -9,6 +9,10 @@
 
 namespace knead {
 
+/// The surface of an opened part, split until it is fine enough to bend with its objects where these were filled.
+/// @param mostTriangles it is split no finer than into about so many
+TriangleMesh bendableSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::size_t mostTriangles);
+
 /// The surface of a part where its objects have taken it: split until it is fine enough to bend with them.
 /// @param displacements one per object, from rest [m]
 /// @param mostTriangles it is split no finer than into about so many

@@ -11,6 +11,9 @@
 
 namespace knead {
 
+/// Broken connections of a crack that is seen: less than across one cell are none.
+inline constexpr std::size_t leastSeenBroken = 12;
+
 /// A piece of a broken body, at rest.
 struct Fragment {
     /// CAD face of triangles that a crack made. Other triangles keep theirs, or Aggregate::noFace in a plain mesh.

@@ -1,10 +1,12 @@
 #include "core/skin/free_surface.h"
 
 #include "core/geometry/half_edges.h"
+#include "core/geometry/shape_fit.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +17,7 @@ namespace {
 constexpr double flatSpread = 0.22;   // second eigenvalue of the normals by the first: tan^2 of 25 degrees
 constexpr double flatMean = 0.7;      // length of their mean: those of a knife's edge point away from each other
 constexpr double cornerSpread = 0.08; // third by the first: normals no longer lie in a plane across an edge
+constexpr double flatCosine = 0.64;   // of the normals of two triangles that are of one face: 50 degrees
 constexpr int rings = 4;              // of neighbors over which a curvature is a mean, so that facets are round
 
 /// What the triangles at a vertex say.
@@ -130,6 +133,60 @@ std::vector<FreeSurface> freeSurfaces(const TriangleMesh& mesh)
     std::transform(fans.begin(), fans.end(), surfaces.begin(), surfaceOf);
     findHollows(mesh, surfaces);
     return surfaces;
+}
+
+FreeSurfaceFinder::FreeSurfaceFinder(const TriangleMesh& mesh)
+    : m_mesh(mesh)
+    , m_ofVertices(freeSurfaces(mesh))
+    , m_edges(findHalfEdges(mesh))
+{
+}
+
+FreeSurface FreeSurfaceFinder::at(const Vec3& place, std::uint32_t triangle, double reach) const
+{
+    const TriangleMesh::Triangle& corners = m_mesh.triangles[triangle];
+    const std::array<Vec3, 3> places = cornersOf(m_mesh.vertices, corners);
+    const Vec3 cross = crossOf(places);
+    const double twice = cross.norm();
+    if (!(twice > 0))
+        return {};
+    const Vec3 shares = nearestShares(places, place);
+    for (std::size_t i = 0; i < 3; ++i)
+        if ((places[i] - place).norm() < reach)
+            return m_ofVertices[corners[i]];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = (places[(i + 1) % 3] - places[i]).norm();
+        if (shares[static_cast<Eigen::Index>((i + 2) % 3)] * twice < reach * length)
+            return onEdge(3 * std::size_t{triangle} + i);
+    }
+    // Facets of a round face: between the normals of the corners that are of it.
+    const Vec3 normal = cross / twice;
+    FreeSurface surface{FreeSurface::Kind::face, Vec3::Zero()};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const FreeSurface& corner = m_ofVertices[corners[i]];
+        const double share = shares[static_cast<Eigen::Index>(i)];
+        const bool isSameFace = corner.kind == FreeSurface::Kind::face && corner.direction.dot(normal) > flatCosine;
+        surface.direction += share * (isSameFace ? corner.direction : normal);
+        surface.hollow += isSameFace ? share * corner.hollow : 0;
+    }
+    surface.direction.normalize();
+    return surface;
+}
+
+FreeSurface FreeSurfaceFinder::onEdge(std::size_t halfEdge) const
+{
+    const TriangleMesh::Triangle& here = m_mesh.triangles[halfEdge / 3];
+    const Vec3 normal = crossOf(m_mesh.vertices, here).normalized();
+    const std::uint32_t twin = m_edges.twin[halfEdge];
+    if (twin == HalfEdges::none)
+        return {FreeSurface::Kind::face, normal};
+    const Vec3 other = crossOf(m_mesh.vertices, m_mesh.triangles[twin / 3]).normalized();
+    if (normal.dot(other) > flatCosine)
+        return {FreeSurface::Kind::face, (normal + other).normalized()};
+    const Vec3 way = m_mesh.vertices[here[(halfEdge + 1) % 3]] - m_mesh.vertices[here[halfEdge % 3]];
+    if (normal.cross(other).dot(way) < 0) // inwards
+        return {.hollow = std::numeric_limits<double>::infinity()};
+    return {FreeSurface::Kind::edge, way.normalized()};
 }
 
 FreeSurface moved(const FreeSurface& surface, const Mat3& gradient)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/half_edges.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
@@ -25,6 +26,23 @@ struct FreeSurface {
 /// At all vertices, by the normals of the triangles that meet there, each by its angle: an edge where they differ by more than
 /// about 50 degrees, so that the facets of a round hole are none. A surface that is not closed has its rim taken as flat.
 std::vector<FreeSurface> freeSurfaces(const TriangleMesh& mesh);
+
+/// The same at any places on a surface: at a vertex, on an edge where two faces meet, or within a face. The mesh must outlive it.
+class FreeSurfaceFinder {
+public:
+    explicit FreeSurfaceFinder(const TriangleMesh& mesh);
+
+    /// @param triangle that the place is on or nearest to
+    /// @param reach how far from a vertex or an edge a place is still there [m]
+    FreeSurface at(const Vec3& place, std::uint32_t triangle, double reach) const;
+
+private:
+    FreeSurface onEdge(std::size_t halfEdge) const;
+
+    const TriangleMesh& m_mesh;
+    std::vector<FreeSurface> m_ofVertices;
+    HalfEdges m_edges;
+};
 
 /// What becomes of it when the material there is deformed by F: the normal n ~ F^-T N, the edge t ~ F T.
 FreeSurface moved(const FreeSurface& surface, const Mat3& gradient);

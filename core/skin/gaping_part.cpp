@@ -110,6 +110,7 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
         part.part.edges = whole.part.edges;
         part.before = {whole.part.volume, static_cast<int>(whole.part.faces.size()), whole.part.edges};
         part.density = whole.density;
+        part.deformations = whole.deformations;
         part.remarks = whole.remarks;
         part.remarks.push_back(Message("Export", "\"%1\" is cut into or cracked, but in one piece: it gapes by %2 mm.")
                                    .with(whole.part.name, inDigits(1e3 * gape, 3)));

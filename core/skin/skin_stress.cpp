@@ -118,6 +118,8 @@ public:
         return sum;
     }
 
+    bool hasFlowed() const { return m_body.hasFlowed(); }
+
     Material material(const Place& place) const
     {
         return bearingMaterial(m_body.materials().of(place.nearest), m_body.materials());
@@ -246,6 +248,44 @@ double errorWhereLargest(const SkinStresses& stresses)
     return stress > 0 ? error / stress : 0;
 }
 
+/// Hencky, ln sqrt(F F^T), flow included.
+Mat3 strainAt(const SkinMoment& moment, std::uint32_t point)
+{
+    const Place place = moment.at(point);
+    Mat3 strain = Mat3::Zero();
+    if (place.trust > 0)
+        strain += place.trust * halfLogarithm(place.gradient * place.gradient.transpose());
+    if (place.trust < 1)
+        strain += (1 - place.trust) * moment.carried(point, &ObjectStrain::strain);
+    return strain;
+}
+
+/// Cauchy [Pa].
+Mat3 stressAt(const SkinMoment& moment, std::uint32_t point, const FreeSurface& surface)
+{
+    const Place place = moment.at(point);
+    const Material material = moment.material(place);
+    const double most = flowStress(material, place.plasticStrain);
+    Mat3 stress = Mat3::Zero();
+    if (place.trust > 0)
+        stress += place.trust * cauchyStress(place.gradient,
+                                             moment.hasFlowed() ? relaxedMetric(place, material) : Mat3::Identity(),
+                                             material, most);
+    if (place.trust < 1)
+        stress += (1 - place.trust) * moment.carried(point, &ObjectStrain::stress);
+    return cleared(stress, place, surface, material);
+}
+
+/// Calls visit(point) for each, on all threads.
+template <typename Visit>
+void forAllPoints(const SkinGradients& gradients, Visit&& visit)
+{
+    forEachBlock(gradients.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            visit(gradients.order()[i]);
+    });
+}
+
 } // namespace
 
 SkinStress::SkinStress(const Aggregate& aggregate, const TriangleMesh& mesh, std::span<const ObjectIndex> numbers,
@@ -270,27 +310,13 @@ SkinStresses SkinStress::stresses(const ObjectStrains& body, std::span<const Obj
     SkinStresses result;
     result.vonMises.resize(size());
     result.error.resize(wantsError ? size() : 0);
-    forEachBlock(size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t point = m_gradients.order()[i];
-            const Place place = moment.at(point);
-            const Material material = moment.material(place);
-            const double most = flowStress(material, place.plasticStrain);
-            Mat3 stress = Mat3::Zero();
-            if (place.trust > 0)
-                stress +=
-                    place.trust * cauchyStress(place.gradient,
-                                               body.hasFlowed() ? relaxedMetric(place, material) : Mat3::Identity(),
-                                               material, most);
-            if (place.trust < 1)
-                stress += (1 - place.trust) * moment.carried(point, &ObjectStrain::stress);
-            stress = cleared(stress, place, m_surfaces[point], material);
-            result.vonMises[point] = static_cast<float>(vonMisesStress(stress));
-            if (wantsError)
-                result.error[point] =
-                    static_cast<float>(std::max(errorPerDifference * vonMisesStress(stress - moment.averaged(point)),
-                                                hollowShare(m_surfaces[point], m_spacing) * vonMisesStress(stress)));
-        }
+    forAllPoints(m_gradients, [&](std::uint32_t point) {
+        const Mat3 stress = stressAt(moment, point, m_surfaces[point]);
+        result.vonMises[point] = static_cast<float>(vonMisesStress(stress));
+        if (wantsError)
+            result.error[point] =
+                static_cast<float>(std::max(errorPerDifference * vonMisesStress(stress - moment.averaged(point)),
+                                            hollowShare(m_surfaces[point], m_spacing) * vonMisesStress(stress)));
     });
     if (wantsError)
         result.errorShare = errorWhereLargest(result);
@@ -301,17 +327,21 @@ std::vector<float> SkinStress::strains(const ObjectStrains& body) const
 {
     const SkinMoment moment(m_gradients, body, {}, {.withBroken = !m_isPiece});
     std::vector<float> result(size());
-    forEachBlock(size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t point = m_gradients.order()[i];
-            const Place place = moment.at(point);
-            Mat3 strain = Mat3::Zero();
-            if (place.trust > 0)
-                strain += place.trust * halfLogarithm(place.gradient * place.gradient.transpose());
-            if (place.trust < 1)
-                strain += (1 - place.trust) * moment.carried(point, &ObjectStrain::strain);
-            result[point] = static_cast<float>(equivalentStrain(strain));
-        }
+    forAllPoints(m_gradients, [&](std::uint32_t point) {
+        result[point] = static_cast<float>(equivalentStrain(strainAt(moment, point)));
+    });
+    return result;
+}
+
+SkinTensors SkinStress::tensors(const ObjectStrains& body, std::span<const ObjectIndex> loaded) const
+{
+    const SkinMoment moment(m_gradients, body, loaded, {.withBroken = !m_isPiece});
+    SkinTensors result;
+    result.strain.resize(size());
+    result.stress.resize(size());
+    forAllPoints(m_gradients, [&](std::uint32_t point) {
+        result.strain[point] = strainAt(moment, point);
+        result.stress[point] = stressAt(moment, point, m_surfaces[point]);
     });
     return result;
 }

@@ -16,6 +16,12 @@ struct SkinStresses {
     double errorShare = 0;    ///< the same where stress is largest, as a share of it: "about +-8 %" is 0.08
 };
 
+/// Strain and stress at points, in world axes.
+struct SkinTensors {
+    std::vector<Mat3> strain; ///< Hencky, ln sqrt(F F^T), flow included
+    std::vector<Mat3> stress; ///< Cauchy [Pa]
+};
+
 /// Strain and stress of the material at the skin of a body, prepared for many moments.
 ///
 /// Objects are inside of the material, and their strain is a mean over two spacings. At the skin, F is the gradient of the
@@ -32,6 +38,7 @@ struct SkinStresses {
 /// objects around the point, which lies about a spacing deeper. Where the skin goes inwards, as in holes and fillets, stress rises
 /// within their radius, and the lattice may have smeared that before anything is read: there the estimate is at least
 /// errorPerHollow times spacing over radius. It knows nothing of what else is wrong, such as a wall that is too stiff.
+/// Points may lie inside of the material as well, those with FreeSurface::Kind::none: there nothing is taken off.
 /// Immutable after construction. Any thread; uses several. About 0.5 us a point and moment on one core where nothing has flowed,
 /// 1.5 us with the error.
 class SkinStress {
@@ -62,6 +69,9 @@ public:
 
     /// Equivalent strain at the points, flow included.
     std::vector<float> strains(const ObjectStrains& body) const;
+
+    /// The tensors that both are numbers of. @param loaded as above
+    SkinTensors tensors(const ObjectStrains& body, std::span<const ObjectIndex> loaded) const;
 
 private:
     bool m_isPiece;

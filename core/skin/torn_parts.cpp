@@ -188,6 +188,7 @@ std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_
             piece.cut = cuts[i];
         }
         piece.density = whole.density;
+        piece.deformations = whole.deformations;
         remarkOnDust(from.dust, false, piece.remarks);
         if (whole.relaxed)
             piece.remarks.push_back(Message("Export", "it was filled anew before: its fields are left out."));
@@ -263,6 +264,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
             piece.reason = tornReason(fragments.size());
         }
         piece.density = whole.density;
+        piece.deformations = whole.deformations;
         if (now[i].isRigid)
             piece.remarks.push_back(Message("Export", "too few of its objects hang together to say how it is deformed: "
                                                       "it is written in its shape at rest, moved as they have."));
