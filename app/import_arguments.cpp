@@ -6,20 +6,31 @@
 
 namespace knead {
 
+CLI::Option* addRepeatedOption(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                               const std::string& help)
+{
+    return command.add_option(name, values, help)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void addImportArguments(CLI::App& command, ImportOptions& options)
+{
+    addReadingArguments(command, options);
+    addRepeatedOption(
+        command, "--part", options.parts,
+        "Path of a part or assembly to read, as knead info --json lists them; may be given several times. "
+        "All others are left out")
+        ->type_name("PATH");
+}
+
+void addReadingArguments(CLI::App& command, ImportOptions& options)
 {
     command
         .add_option("--unit", options.unit,
                     "Take the lengths in this unit, whatever the file says: " + lengthUnitNames())
         ->type_name("UNIT");
-    command
-        .add_option("--part", options.parts,
-                    "Path of a part or assembly to read, as knead info --json lists them; may be given several times. "
-                    "All others are left out")
-        ->type_name("PATH")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         .add_option_function<double>(
             "--memory-limit", [&options](double gibibytes) { options.memoryLimit = gibibytes * (1U << 30U); },

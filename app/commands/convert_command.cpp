@@ -5,6 +5,7 @@
 #include "app/commands/command_output.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
+#include "app/export_arguments.h"
 #include "app/export_file.h"
 #include "app/import_arguments.h"
 #include "core/message/message.h"
@@ -51,9 +52,7 @@ void writeTo(const ConvertOptions& options, const Model& model, TaskControl& con
     if (isPicture(options.output))
         return drawTo(options.output, model);
     ExportJob job = exportJobOf(model, {}, {});
-    const std::string unit = options.write.unit.empty() ? job.options.unit : options.write.unit;
-    job.options = options.write;
-    job.options.unit = unit;
+    job.options = asWished(options.write, job.options);
     const ExportReport report = exportFile(options.output, std::move(job), control);
     if (options.report)
         writeReportBeside(report);
@@ -96,12 +95,7 @@ void addConvertCommand(CLI::App& program, int& exitStatus)
     command->add_option("--deflection", options->deflection, "Largest distance of the triangles from the surface in mm")
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
-    command->add_option("--write-unit", options->write.unit, "Length unit of a CAD file written: mm, cm, m, inch or ft")
-        ->type_name("UNIT");
-    command->add_flag("--ap214", options->write.useAp214, "Write STEP in AP214 instead of AP242");
-    command->add_flag("--text", options->write.isText, "Write " + formatNames(" and ", [](const FileFormat& f) {
-                                                           return f.text == FileFormat::Text::asAsked;
-                                                       }) + " as text");
+    addExportArguments(*command, options->write);
     command->add_flag("--report", options->report,
                       "Say what was found when the file was read back, also as JSON beside it");
     addImportArguments(*command, options->import);
