@@ -5,6 +5,7 @@
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
 #include "core/skin/deformed_surface.h"
+#include "core/skin/former_shape.h"
 #include "core/skin/torn_parts.h"
 #include "io/export/job_file.h"
 #include "io/files/safe_file.h"
@@ -83,6 +84,14 @@ StrainedSurface strained(const PartToExport& part, TaskControl& control)
     return strainedSurface(part.part.mesh, *part.aggregate, objects, part.loaded, mostTriangles, control);
 }
 
+/// What the deformations of a part make of its surface, fine enough to bend.
+TriangleMesh deformedMesh(const PartToExport& part, const TriangleMesh& mesh)
+{
+    constexpr double edges = 200; // across the part
+    const double longest = std::max(part.deformed->featureSize() / 4, part.part.box.diagonal().norm() / edges);
+    return carriedMesh(mesh, *part.deformed, longest, mostTriangles);
+}
+
 ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
 {
     const FileFormat* format = formatToWrite(path); // null: writeMeshes() says so
@@ -106,6 +115,8 @@ ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskCon
         } else if (part.aggregate != nullptr) {
             body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, portion);
         }
+        if (part.deformed)
+            body.mesh = deformedMesh(part, body.mesh);
         if (part.fields)
             fields = *part.fields;
         report.parts.push_back(reportOn(part, body.mesh));
@@ -134,9 +145,12 @@ ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& con
         if (format == nullptr || !format->holdsFields)
             part.relaxed.reset();
     TaskPortion tearing(control, 0, 0.1);
-    const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing, isCad);
+    ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing, isCad);
     TaskPortion writing(control, 0.1, 1);
-    return isCad ? exportInChild(path, whole, writing) : exportMeshes(path, whole, writing);
+    if (isCad)
+        return exportInChild(path, whole, writing);
+    makeMaps(whole, writing);
+    return exportMeshes(path, whole, writing);
 }
 
 std::string problemWithName(const std::string& path)

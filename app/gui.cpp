@@ -1,6 +1,7 @@
 #include "app/gui.h"
 
 #include "app/cad_process.h"
+#include "app/deform_in_child.h"
 #include "app/export_file.h"
 #include "app/project_services.h"
 #include "app/recipe_services.h"
@@ -28,6 +29,8 @@ Services fileServices()
             writeReportBeside(report);
         return report;
     };
+    services.writeAndRead = writeAndReadInChildren;
+    services.readField = readFieldInChild;
     services.writeSafely = [](const std::string& path, const std::function<void(const std::string&)>& write) {
         SafeFile file(path);
         write(file.pathForNow());

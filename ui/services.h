@@ -4,8 +4,10 @@
 #include "core/document/moment_bytes.h"
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
+#include "core/model/field_file.h"
 #include "core/model/file_preview.h"
 #include "core/model/part.h"
+#include "core/session/deformed_model.h"
 #include "core/session/import_files.h"
 #include "core/task/task_control.h"
 #include "ui/interaction/space_motion.h"
@@ -53,6 +55,9 @@ struct Services {
     ListenToSpaceMouse spaceMouse; ///< may be empty
     ProjectServices projects;
     RecipeServices recipes;
+
+    WriteAndRead writeAndRead; ///< of parts that are deformed
+    ReadField readField;       ///< displacements of another program; may be empty
 };
 
 } // namespace knead

@@ -245,6 +245,7 @@ QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
 QPushButton[role="primary"]:focus { border-color: @text; }
+QPushButton[role="primary"]:disabled { background: @button; color: @disabled; border-color: @line; }
 QToolButton[role="primary"] { padding: 7px 18px; border: 1px solid @accent; border-radius: 5px; background: @accent;
     color: @accentText; font-weight: 600; }
 QToolButton[role="primary"]:focus { border-color: @text; }

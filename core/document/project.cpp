@@ -6,6 +6,13 @@
 
 namespace knead {
 
+std::shared_ptr<const Model> shownModel(const Project& project)
+{
+    if (project.entries.empty())
+        return project.model;
+    return modelOf(project, project.starts.at(project.entries.at(project.current).start));
+}
+
 std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project)
 {
     ToolParts all;

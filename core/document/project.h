@@ -28,7 +28,8 @@ struct ImportChoices {
 /// A state that steps are counted from: the model filled once, with its tools and fixtures.
 struct ProjectStart {
     Scene scene;
-    std::vector<std::size_t> partOfBody; ///< per body of the scene: index into Model::parts
+    std::vector<std::size_t> partOfBody;     ///< per body of the scene: index into Model::parts
+    std::shared_ptr<const Model> model = {}; ///< whose parts these are, deformed since; null: those of the project
 };
 
 /// Words that a person put at an entry of the history.
@@ -63,6 +64,15 @@ struct Project {
     ProjectView view;
     std::map<std::string, std::string> panels; ///< what panels keep for themselves: JSON texts by name
 };
+
+/// The parts that a start was filled from.
+inline const std::shared_ptr<const Model>& modelOf(const Project& project, const ProjectStart& start)
+{
+    return start.model ? start.model : project.model;
+}
+
+/// The parts that are shown: those of the start of the current entry. @pre there is such a start, or there are no entries
+std::shared_ptr<const Model> shownModel(const Project& project);
 
 /// Imported parts that its tools are made of, in the order in which they were first used.
 std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project);

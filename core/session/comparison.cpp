@@ -4,6 +4,7 @@
 #include "core/geometry/refine.h"
 #include "core/geometry/surface_distance.h"
 #include "core/message/message.h"
+#include "core/session/part_pairs.h"
 
 #include <algorithm>
 #include <limits>
@@ -70,46 +71,18 @@ BodyMass massOf(const Part& part)
     return {part.volume > 0 ? part.volume : properties.volume, 0, properties.centroid};
 }
 
-std::vector<std::size_t> closedParts(const Model& model)
+std::vector<const Part*> closedParts(const Model& model)
 {
-    std::vector<std::size_t> closed;
-    for (std::size_t p = 0; p < model.parts.size(); ++p)
-        if (model.parts[p].canBeFilled())
-            closed.push_back(p);
+    std::vector<const Part*> closed;
+    for (const Part& part : model.parts)
+        if (part.canBeFilled())
+            closed.push_back(&part);
     return closed;
 }
 
 std::string nameOf(const Part& part)
 {
     return part.path.empty() ? part.name : part.path;
-}
-
-struct Pair {
-    std::size_t original;
-    std::size_t changed;
-};
-
-/// Each part once: those of the same path, the first with the first; then those of the same name; then what is left, in order.
-/// @param originals and changed lose what is paired
-std::vector<Pair> pairsOf(const Model& original, const Model& changed, std::vector<std::size_t>& originals,
-                          std::vector<std::size_t>& others)
-{
-    std::vector<Pair> pairs;
-    const auto pair = [&](auto belong) {
-        std::erase_if(others, [&](std::size_t other) {
-            const auto found = std::ranges::find_if(
-                originals, [&](std::size_t one) { return belong(original.parts[one], changed.parts[other]); });
-            if (found == originals.end())
-                return false;
-            pairs.push_back({*found, other});
-            originals.erase(found);
-            return true;
-        });
-    };
-    pair([](const Part& a, const Part& b) { return a.path == b.path && a.name == b.name; });
-    pair([](const Part& a, const Part& b) { return a.name == b.name; });
-    pair([](const Part&, const Part&) { return true; });
-    return pairs;
 }
 
 /// From the one surface to the other and back: what is missing lies on the one, what was added on the other.
@@ -155,21 +128,22 @@ Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, c
 
 Comparison compareModels(const Model& original, const Model& changed, TaskControl& control)
 {
-    std::vector<std::size_t> originals = closedParts(original);
-    std::vector<std::size_t> others = closedParts(changed);
+    const std::vector<const Part*> originals = closedParts(original);
+    const std::vector<const Part*> others = closedParts(changed);
     Comparison comparison;
-    const std::vector<Pair> pairs = pairsOf(original, changed, originals, others);
+    const std::vector<PartPair> pairs = pairsOfParts(originals, others);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         TaskPortion portion = TaskPortion::ofItem(control, i, pairs.size());
-        comparison.bodies.push_back(
-            comparePair(original.parts[pairs[i].original], changed.parts[pairs[i].changed], portion));
+        comparison.bodies.push_back(comparePair(*originals[pairs[i].before], *others[pairs[i].after], portion));
     }
     if (comparison.bodies.empty())
         throw Problem(Message("Comparison", "One of the files has no closed part: there is nothing to compare."));
-    for (const std::size_t one : originals)
-        comparison.onlyBefore.push_back(nameOf(original.parts[one]));
-    for (const std::size_t one : others)
-        comparison.onlyNow.push_back(nameOf(changed.parts[one]));
+    for (std::size_t p = 0; p < originals.size(); ++p)
+        if (std::ranges::find(pairs, p, &PartPair::before) == pairs.end())
+            comparison.onlyBefore.push_back(nameOf(*originals[p]));
+    for (std::size_t p = 0; p < others.size(); ++p)
+        if (std::ranges::find(pairs, p, &PartPair::after) == pairs.end())
+            comparison.onlyNow.push_back(nameOf(*others[p]));
     return comparison;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -237,20 +238,17 @@ PreparedModel prepareRecipe(RecipeStart recipe, TaskControl& control)
     return prepared;
 }
 
-PreparedModel prepareRefill(const FilledModel& before, double spacing, const Snapshot& now,
-                            const std::vector<FaceFixture>& fixtures, TaskControl& control)
+namespace {
+
+/// As a moment has it, with the bodies of another content.
+/// @param origin per part of the content: which one of the content before it was
+Scene keptScene(const FilledModel& content, const std::vector<std::size_t>& origin, const FilledModel& before,
+                const Snapshot& now)
 {
-    TaskPortion filling(control, 0, preparedShare);
-    ImportChoices request = before.request;
-    request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
-    FilledModel content = fillModel(before.model, request, filling);
-    if (content.bodies.empty() && !content.unfilled.empty())
-        throw Problem(content.unfilled.begin()->second);
-    control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
         for (std::size_t earlier = 0; earlier < before.bodies.size(); ++earlier)
-            if (before.bodies[earlier]->part == content.bodies[b]->part) {
+            if (before.bodies[earlier]->part == origin[content.bodies[b]->part]) {
                 scene.bodies[b].material = now.materials[earlier];
                 scene.bodies[b].kind = now.bodies[earlier].kind;
             }
@@ -266,13 +264,54 @@ PreparedModel prepareRefill(const FilledModel& before, double spacing, const Sna
                                       .part = tool.part,
                                       .adhesion = tool.adhesion,
                                       .rollsFreely = tool.rollsFreely});
-    scene.fixtures = sceneFixtures(content, fixtures);
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
     scene.floorFriction = now.floorFriction;
     scene.floorAdhesion = now.floorAdhesion;
+    return scene;
+}
+
+FilledModel filledAgain(std::shared_ptr<const Model> model, const ImportChoices& choices, double spacing,
+                        TaskControl& control)
+{
+    TaskPortion filling(control, 0, preparedShare);
+    ImportChoices request = choices;
+    request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
+    FilledModel content = fillModel(std::move(model), request, filling);
+    if (content.bodies.empty() && !content.unfilled.empty())
+        throw Problem(content.unfilled.begin()->second);
+    control.report(preparedShare, "preparing the simulation");
+    return content;
+}
+
+} // namespace
+
+PreparedModel prepareRefill(const FilledModel& before, double spacing, const Snapshot& now,
+                            const std::vector<FaceFixture>& fixtures, TaskControl& control)
+{
+    FilledModel content = filledAgain(before.model, before.request, spacing, control);
+    std::vector<std::size_t> same(before.model->parts.size());
+    std::iota(same.begin(), same.end(), std::size_t{0});
+    Scene scene = keptScene(content, same, before, now);
+    scene.fixtures = sceneFixtures(content, fixtures);
     return withFrame(std::move(content), std::move(scene));
+}
+
+PreparedModel prepareInstead(const FilledModel& before, std::shared_ptr<const Model> model,
+                             const std::vector<std::size_t>& origin, const Snapshot& now,
+                             const std::function<std::vector<FaceFixture>(const FilledModel&)>& fixturesIn,
+                             TaskControl& control)
+{
+    FilledModel content = filledAgain(std::move(model), before.request, before.spacing, control);
+    Scene scene = keptScene(content, origin, before, now);
+    if (scene.floorHeight) // what reaches below it now would be thrown up
+        scene.floorHeight = std::min(*scene.floorHeight, content.box.min().z());
+    std::vector<FaceFixture> fixtures = fixturesIn(content);
+    scene.fixtures = sceneFixtures(content, fixtures);
+    PreparedModel prepared = withFrame(std::move(content), std::move(scene));
+    prepared.fixtures = std::move(fixtures);
+    return prepared;
 }
 
 FilledModel contentOf(std::shared_ptr<const Model> model, const ImportChoices& choices, const ProjectStart& start,

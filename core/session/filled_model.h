@@ -11,6 +11,7 @@
 #include "core/simulation/scripted_events.h"
 #include "core/skin/skin.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -142,6 +143,15 @@ PreparedModel prepareRecipe(RecipeStart recipe, TaskControl& control);
 /// @throws as prepareFiles(), and std::runtime_error with a sentence when none of them suits the spacing
 PreparedModel prepareRefill(const FilledModel& before, double spacing, const Snapshot& now,
                             const std::vector<FaceFixture>& fixtures, TaskControl& control);
+
+/// Fills other parts in place of those of a content, as prepareRefill() does: after they were deformed.
+/// @param origin per part: which one of the content's model it was
+/// @param fixturesIn the fixtures in the new content
+/// @throws as prepareFiles()
+PreparedModel prepareInstead(const FilledModel& before, std::shared_ptr<const Model> model,
+                             const std::vector<std::size_t>& origin, const Snapshot& now,
+                             const std::function<std::vector<FaceFixture>(const FilledModel&)>& fixturesIn,
+                             TaskControl& control);
 
 /// The content of a start that was kept in a project: as when it was filled, without filling. Runs on a task thread.
 /// @throws std::runtime_error with a sentence; Cancelled

@@ -4,6 +4,7 @@
 #include "core/session/filled_model.h"
 #include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
+#include "core/skin/fragments.h"
 #include "core/skin/torn_surface.h"
 
 #include <algorithm>
@@ -86,8 +87,6 @@ std::vector<BrokenConnection> brokenWithin(const Aggregate& aggregate, const Pie
     });
     return within;
 }
-
-constexpr std::size_t leastSeenBroken = 12; // connections of a crack that is seen: less than across one cell are none
 
 /// A body whose cracks could not be made surfaces: its skin is carried along connections that hold, so that what spans a crack is one
 /// row of triangles (trianglesAcrossCracks()).

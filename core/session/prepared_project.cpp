@@ -12,7 +12,7 @@ PreparedProject prepareProject(Project project, const Packing& packing, TaskCont
     navigation.way = tree.wayTo(project.current);
     navigation.start = {
         .start = project.starts.at(navigation.way.start), .content = nullptr, .choices = project.import};
-    navigation.model = project.model;
+    navigation.model = shownModel(project);
     navigation.packing = packing;
     navigation.changesStart = true;
     HistoryDestination destination = navigation.go(control);

@@ -7,6 +7,7 @@
 #include "core/model/export_options.h"
 #include "core/model/import_options.h"
 #include "core/session/part_filling.h"
+#include "core/session/recipe_deformation.h"
 #include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 
@@ -218,11 +219,12 @@ enum class Analysis {
 
 /// A session that runs without a window: a part, its material, tools with their motions, events and exports. SI units.
 struct Recipe {
-    std::string file;                     ///< where it was read from
-    std::string part;                     ///< path of the CAD or mesh file, or of a project, ready to open
-    std::vector<std::string> partsBeside; ///< opened together with it, as one assembly
-    ImportOptions import;                 ///< of all of these
-    bool fillsOpenParts = false;          ///< tries winding numbers on surfaces that are not closed
+    std::string file;                            ///< where it was read from
+    std::string part;                            ///< path of the CAD or mesh file, or of a project, ready to open
+    std::vector<std::string> partsBeside;        ///< opened together with it, as one assembly
+    ImportOptions import;                        ///< of all of these
+    bool fillsOpenParts = false;                 ///< tries winding numbers on surfaces that are not closed
+    std::vector<RecipeDeformation> deformations; ///< of the parts of the file, one after the other
     std::vector<RecipeExtraPart> extraParts;
     SpacingChoice spacing; ///< of all parts of the file together
     Arrangement arrangement = Arrangement::cutCells;

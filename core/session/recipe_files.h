@@ -3,6 +3,8 @@
 #include "core/document/project.h"
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
+#include "core/model/field_file.h"
+#include "core/session/deformed_model.h"
 #include "core/session/import_files.h"
 #include "core/session/recipe.h"
 #include "core/simulation/snapshot.h"
@@ -35,6 +37,9 @@ struct RecipeFiles {
         writeExports;
     /// A table of text; whole or not at all.
     std::function<void(const std::string& path, const std::string& text)> writeTable;
+
+    WriteAndRead writeAndRead; ///< for parts that are deformed first
+    ReadField readField = {};  ///< may be empty: then recipes with fields cannot be carried out
 };
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "core/session/recipe_parts.h"
 
 #include "core/model/file_names.h"
+#include "core/session/recipe_deforming.h"
 
 #include <map>
 
@@ -74,12 +75,11 @@ public:
     /// The part of a recipe, with the choices of the recipe.
     Opened part(const Recipe& recipe)
     {
-        if (m_io.isProject(recipe.part))
-            return opened(modelOf(recipe.part), recipe.part, recipe.fillsOpenParts);
-        std::vector<std::string> paths{recipe.part};
-        paths.insert(paths.end(), recipe.partsBeside.begin(), recipe.partsBeside.end());
-        Model model = asInput([&] { return m_io.import(paths, recipe.import, m_control); });
-        return opened(std::move(model), recipe.part, recipe.fillsOpenParts);
+        std::vector<Message> warnings;
+        Model model = asInput([&] { return deformedParts(modelFor(recipe), recipe, m_io, warnings, m_control); });
+        Opened part = opened(std::move(model), recipe.part, recipe.fillsOpenParts);
+        part.warnings.insert(part.warnings.end(), warnings.begin(), warnings.end());
+        return part;
     }
 
     std::shared_ptr<const ToolPart> toolPart(const RecipeManipulator& manipulator)
@@ -97,6 +97,16 @@ public:
     }
 
 private:
+    /// As it is in the file, or in the project.
+    Model modelFor(const Recipe& recipe)
+    {
+        if (m_io.isProject(recipe.part))
+            return modelOf(recipe.part);
+        std::vector<std::string> paths{recipe.part};
+        paths.insert(paths.end(), recipe.partsBeside.begin(), recipe.partsBeside.end());
+        return m_io.import(paths, recipe.import, m_control);
+    }
+
     const Project& project(const std::string& file)
     {
         const auto known = m_projects.find(file);
@@ -107,9 +117,10 @@ private:
 
     Model modelOf(const std::string& file)
     {
-        if (project(file).model == nullptr)
+        const std::shared_ptr<const Model> model = shownModel(project(file));
+        if (model == nullptr)
             throw UnusableInput(aboutFile(file, Message("Recipe", "the project has no parts.")));
-        return *project(file).model;
+        return *model;
     }
 
     const RecipeFiles& m_io;

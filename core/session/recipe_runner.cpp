@@ -340,7 +340,8 @@ void writeTables(const RecipeFiles& files, const RunTables& tables, RunReport& r
 } // namespace
 
 RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::string& outputFolder,
-                    TaskControl& control, const SayAtOnce& say, const RunTables& tables)
+                    TaskControl& control, const SayAtOnce& say, const RunTables& tables,
+                    const WriteAtNodes& writeAtNodes)
 {
     if (!tables.probes.empty() && recipe.probes.empty())
         throw UnusableInput(aboutFile(
@@ -372,13 +373,21 @@ RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::s
     RunReport report = runner.takeReport();
     runner.noteStillness(report);
     writeTables(files, tables, report);
-    if (recipe.exports.empty())
-        return report;
-    WrittenExports written =
-        files.writeExports(recipe.exports, outputFolder, exportJobOf(*ready.model, ready.partOfBody(), runner.latest()),
-                           runner.latest(), writing);
-    report.files = std::move(written.files);
-    report.exports = std::move(written.reports);
+    if (!recipe.exports.empty()) {
+        TaskPortion exporting(writing, 0, writeAtNodes ? 0.5 : 1);
+        WrittenExports written = files.writeExports(recipe.exports, outputFolder,
+                                                    exportJobOf(*ready.model, ready.partOfBody(), runner.latest()),
+                                                    runner.latest(), exporting);
+        report.files = std::move(written.files);
+        report.exports = std::move(written.reports);
+    }
+    if (writeAtNodes) {
+        TaskPortion telling(writing, 0.5, 1);
+        const WrittenAtNodes written = writeAtNodes(*ready.model, ready.partOfBody(), runner.latest(), telling);
+        report.files.push_back(written.file);
+        for (const Message& warning : written.warnings)
+            report.warnings.push_back(warning.english());
+    }
     return report;
 }
 

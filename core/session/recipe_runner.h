@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/aggregate/spacing_choice.h"
+#include "core/message/message.h"
 #include "core/model/export_report.h"
+#include "core/model/part.h"
 #include "core/session/body_stress.h"
 #include "core/session/force_series.h"
 #include "core/session/probe_series.h"
@@ -14,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -87,14 +90,26 @@ struct RunTables {
     std::string probes;
 };
 
+/// A file with what the material does at the nodes of a mesh.
+struct WrittenAtNodes {
+    std::string file;
+    std::vector<Message> warnings; ///< sentences for the person
+};
+
+/// Writes such a file at the end of a run. Blocks. @param partOfBody index into Model::parts
+/// @throws std::runtime_error, in a sentence; Cancelled
+using WriteAtNodes =
+    std::function<WrittenAtNodes(const Model&, std::span<const std::size_t> partOfBody, const Snapshot&, TaskControl&)>;
+
 /// Carries out a recipe: part -> scene -> steps -> exports. Files appear whole or not at all; when cancelled, those not
 /// yet begun are missing.
 /// @param outputFolder made when missing
 /// @param tables over time, CSV
+/// @param writeAtNodes null: nobody asked for it
 /// @throws UnusableInput (core/session/recipe_parts.h) when recipe and part do not fit, std::runtime_error when the work failed,
 ///         each in a sentence, RunFailed when that was after the first step. @throws Cancelled
 RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::string& outputFolder,
-                    TaskControl& control = TaskControl::none(), const SayAtOnce& say = {},
-                    const RunTables& tables = {});
+                    TaskControl& control = TaskControl::none(), const SayAtOnce& say = {}, const RunTables& tables = {},
+                    const WriteAtNodes& writeAtNodes = nullptr);
 
 } // namespace knead

@@ -9,11 +9,11 @@ namespace knead {
 
 namespace {
 
-/// Parts that were turned and moved are in no file.
+/// Parts that were turned and moved, or deformed, are in no file.
 ImportChoices choicesOf(const Recipe& recipe, const RecipeScene& scene)
 {
     ImportChoices choices{.paths = {}, .options = recipe.import};
-    if (recipe.extraParts.empty()) {
+    if (recipe.extraParts.empty() && recipe.deformations.empty()) {
         choices.paths.push_back(recipe.part);
         choices.paths.insert(choices.paths.end(), recipe.partsBeside.begin(), recipe.partsBeside.end());
     }

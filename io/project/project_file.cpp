@@ -82,10 +82,10 @@ Project readWhole(const std::string& path, const ReadingChoices& choices, TaskCo
 {
     try {
         OpenProject file = openProject(path);
-        if (file.version > schemaVersion)
+        if (file.version > versionWithModels)
             failReading(path, Message("Project", "a newer Knead saved this project (version %1 of the file; this "
                                                  "program reads up to %2). Update Knead to open it.")
-                                  .with(file.version, schemaVersion));
+                                  .with(file.version, versionWithModels));
         return readFrom(file, choices, control);
     } catch (const SQLite::Exception& error) {
         failDamaged(path, messageOf(error));

@@ -176,31 +176,47 @@ ProjectStart ProjectReader::startAt(std::int64_t id)
 {
     const Row row = rowAt(m_database, "starts", id);
     ProjectStart start;
+    start.model = modelOfStart(id);
+    const std::shared_ptr<const Model>& model = modelOf(m_project, start);
     readFields(row.text(3), "settings", start.scene);
     const std::uint32_t bodies = row.index(1);
     for (std::uint32_t i = 0; i < bodies; ++i) {
         const Row body = rowAt(m_database, "bodies", std::int64_t{row.index(2)} + i);
         if (body.integer(1) != id)
             throw DamagedData(Message("Project", "rows of the table bodies are mixed up"));
-        start.partOfBody.push_back(readBody(body, start.scene.bodies.emplace_back()));
+        start.partOfBody.push_back(readBody(body, model, start.scene.bodies.emplace_back()));
     }
     for (const Fixture& fixture : start.scene.fixtures)
         checkFixture(fixture, start.scene);
     return start;
 }
 
+/// Null: that of the project, as in all files of versions before.
+std::shared_ptr<const Model> ProjectReader::modelOfStart(std::int64_t id)
+{
+    if (m_database.execAndGet("PRAGMA user_version").getInt() < versionWithModels)
+        return nullptr;
+    const Row row = rowAt(m_database, startModels.name, id);
+    if (row.isNull(1))
+        return nullptr;
+    std::shared_ptr<const Model>& model = m_models[row.integer(1)];
+    if (model == nullptr)
+        model = std::make_shared<const Model>(modelFromBytes(textOf(blob(row.integer(1)))));
+    return model;
+}
+
 /// @return the part that it is of
-std::size_t ProjectReader::readBody(const Row& row, Body& body)
+std::size_t ProjectReader::readBody(const Row& row, const std::shared_ptr<const Model>& model, Body& body)
 {
     const std::size_t part = row.index(2);
-    if (m_project.model != nullptr && part >= m_project.model->parts.size())
+    if (model != nullptr && part >= model->parts.size())
         throw DamagedData(Message("Project", "a body is of a part that is not there"));
     body.name = row.text(3);
     readFields(row.text(4), "material", body.material);
     readFields(row.text(5), "state", body);
     body.aggregate = aggregateAt(row.integer(6));
-    if (m_project.model != nullptr)
-        body.surface = surfaceOf(m_project.model, part);
+    if (model != nullptr)
+        body.surface = surfaceOf(model, part);
     for (const MaterialRegion& region : body.regions)
         checkObjects(region.objects, *body.aggregate, Message("Project", "a region has objects that are not there"));
     return part;
@@ -305,7 +321,9 @@ void ProjectReader::readView()
         const Row row = rowAt(m_database, "view", 0);
         ProjectView view;
         readFields(row.text(1), "camera", view.camera);
-        const std::size_t parts = m_project.model == nullptr ? 0 : m_project.model->parts.size();
+        std::size_t parts = m_project.model == nullptr ? 0 : m_project.model->parts.size();
+        for (const auto& [blob, model] : m_models)
+            parts = std::max(parts, model == nullptr ? 0 : model->parts.size());
         for (const JsonNode& part : JsonNode::readText(row.text(2), "hidden parts").items())
             if (view.hiddenParts.emplace_back(part.count(std::numeric_limits<std::uint32_t>::max())) >= parts)
                 part.failExpecting(Message("Recipe", "must be the number of a part"));

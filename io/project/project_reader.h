@@ -49,7 +49,8 @@ private:
     void readToolParts();
     void readStarts();
     ProjectStart startAt(std::int64_t id);
-    std::size_t readBody(const Row& row, Body& body);
+    std::shared_ptr<const Model> modelOfStart(std::int64_t id);
+    std::size_t readBody(const Row& row, const std::shared_ptr<const Model>& model, Body& body);
     std::shared_ptr<const Aggregate> aggregateAt(std::int64_t id);
     void readEntries();
     std::uint32_t wholeEntryBefore(std::uint32_t entry) const;
@@ -69,6 +70,7 @@ private:
     Project m_project;
     ToolPartTable m_tools;
     std::map<std::int64_t, std::shared_ptr<const Aggregate>> m_aggregates;
+    std::map<std::int64_t, std::shared_ptr<const Model>> m_models; ///< of starts, by their blobs
     std::vector<std::optional<std::uint32_t>> m_starts;  ///< per start in the file: which of the project it is
     std::vector<std::optional<std::uint32_t>> m_entries; ///< the same for entries
     std::vector<Message> m_missing;

@@ -70,9 +70,10 @@ ProjectTables::ProjectTables(SQLite::Database& database)
 {
     for (const TableForm& table : projectTables())
         m_rows[table.name] = 0;
-    m_database.exec(entryWords.sql);
-    m_database.exec(std::string("DELETE FROM ") +
-                    entryWords.name); // a program that does not know it may have left some
+    for (const TableForm& table : {entryWords, startModels}) {
+        m_database.exec(table.sql);
+        m_database.exec(std::string("DELETE FROM ") + table.name); // a program that does not know it may have left some
+    }
 }
 
 void ProjectTables::addProject(const Project& project, TaskControl& control)
@@ -114,7 +115,18 @@ void ProjectTables::addStart(const ProjectStart& start)
     }
     const std::string settings = jsonOf(start.scene, m_tools);
     putRow(m_database, "starts", {id, static_cast<std::int64_t>(start.scene.bodies.size()), firstBody, settings});
+    putRow(m_database, startModels.name, {id, start.model ? RowValue(numberOf(start.model)) : RowValue()});
     addNewToolParts();
+}
+
+std::int64_t ProjectTables::numberOf(const std::shared_ptr<const Model>& model)
+{
+    const auto [place, isNew] = m_models.try_emplace(model, 0);
+    if (isNew) {
+        place->second = m_blobs.put(bytesOf(modelToBytes(*model)));
+        m_database.exec("PRAGMA user_version = " + std::to_string(versionWithModels));
+    }
+    return place->second;
 }
 
 std::int64_t ProjectTables::numberOf(const std::shared_ptr<const Aggregate>& aggregate)

@@ -47,6 +47,7 @@ private:
     };
 
     void addModel(const Model& model, TaskControl& control);
+    std::int64_t numberOf(const std::shared_ptr<const Model>& model);
     std::int64_t numberOf(const std::shared_ptr<const Aggregate>& aggregate);
     void addNewToolParts();
     void putEntry(std::uint32_t entry, const HistoryRecord& record);
@@ -55,6 +56,7 @@ private:
     Blobs m_blobs;
     std::map<std::string, std::int64_t> m_rows; ///< per table that was written to
     std::map<std::shared_ptr<const Aggregate>, std::int64_t> m_aggregates;
+    std::map<std::shared_ptr<const Model>, std::int64_t> m_models; ///< of starts, per blob
     ToolPartTable m_tools;
     std::vector<Moment> m_moments; ///< per entry
     std::string m_import = "{}";

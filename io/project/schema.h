@@ -20,6 +20,8 @@ struct TableForm {
 
 constexpr std::int32_t applicationId = 0x4B6E6561; ///< "Knea"
 constexpr int schemaVersion = 1;
+/// Of files in which a start has parts of its own, deformed since they were opened: a program that does not know them would show others.
+constexpr int versionWithModels = 2;
 
 std::span<const TableForm> projectTables();
 std::span<const TableForm> recoveryTables(); ///< which recovery files have besides
@@ -28,6 +30,10 @@ std::span<const TableForm> recoveryTables(); ///< which recovery files have besi
 /// may be without it, and programs that do not know it need not: it came later.
 constexpr TableForm entryWords{"entry_words", "CREATE TABLE IF NOT EXISTS entry_words (id INTEGER PRIMARY KEY, "
                                               "message TEXT, row_check INTEGER)"};
+
+/// Per start the blob of the model that it was filled from; null: that of the project. Files of versions before may be without it.
+constexpr TableForm startModels{"start_models", "CREATE TABLE IF NOT EXISTS start_models (id INTEGER PRIMARY KEY, "
+                                                "model_blob INTEGER, row_check INTEGER)"};
 
 void makeTables(SQLite::Database& database, std::span<const TableForm> tables);
 

@@ -291,7 +291,7 @@ private slots:
         QCOMPARE(complaint(changed("PRAGMA user_version = 7")),
                  std::string(
                      "damaged.knead: a newer Knead saved this project (version 7 of the file; this program reads up to "
-                     "1). Update Knead to open it."));
+                     "2). Update Knead to open it."));
     }
 
     /// Version 0, made by hand: without marks and panels.

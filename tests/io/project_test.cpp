@@ -164,6 +164,50 @@ private slots:
         QVERIFY(added.manipulator.part == again.starts[0].scene.manipulators[1].part);
     }
 
+    /// Deformed since they were opened. Programs that do not know them must not show others.
+    void startsWithPartsOfTheirOwnKeepThem()
+    {
+        Project project = sample::project();
+        Model deformed = *project.model;
+        deformed.parts[0].volume *= 2;
+        deformed.parts.push_back(deformed.parts[0]);
+        project.starts.push_back(project.starts[1]);
+        project.starts[1].model = project.starts[2].model = std::make_shared<const Model>(deformed);
+        for (const std::size_t start : {1U, 2U})
+            sample::giveSurfaces(project.starts[start], project.starts[start].model);
+        project.view.hiddenParts = {1, static_cast<std::size_t>(deformed.parts.size() - 1)};
+        writeProject(path("deformed.knead"), project);
+        const Project again = readProject(path("deformed.knead"));
+        QVERIFY(same::values(again, project));
+        QVERIFY(!again.starts[0].model && again.starts[1].model == again.starts[2].model);
+        QVERIFY(shownModel(again) == again.model);
+        SQLite::Database database(path("deformed.knead"));
+        QCOMPARE(database.execAndGet("PRAGMA user_version").getInt(), 2);
+        writeProject(path("plain.knead"), sample::project());
+        SQLite::Database plain(path("plain.knead"));
+        QCOMPARE(plain.execAndGet("PRAGMA user_version").getInt(), 1);
+    }
+
+    /// Without it another part would be shown.
+    void whichPartsAStartHasIsNotGuessed()
+    {
+        Project project = sample::project();
+        project.starts[1].model = project.model;
+        writeProject(path("guess.knead"), project);
+        {
+            SQLite::Database database(path("guess.knead"), SQLite::OPEN_READWRITE);
+            database.exec("DELETE FROM start_models WHERE id = 1");
+        }
+        try {
+            readProject(path("guess.knead"));
+            QFAIL("it was read");
+        } catch (const DamagedProject& damage) {
+            QVERIFY2(std::string(damage.what()).find("start state 1 (row 1 of the table start_models is missing)") !=
+                         std::string::npos,
+                     damage.what());
+        }
+    }
+
     void anEmptyProjectComesBack()
     {
         writeProject(path("empty.knead"), {});

@@ -16,7 +16,7 @@ class DocksTest : public QObject {
     {
         return {"modelDock",       "historyDock",  "simulationDock", "propertiesDock", "displayDock",
                 "handsDock",       "timelineDock", "logDock",        "importDock",     "exportDock",
-                "performanceDock", "measureDock",  "probeDock",      "forcesDock"};
+                "performanceDock", "measureDock",  "probeDock",      "forcesDock",     "deformDock"};
     }
 
     static void add(Docks& docks, const std::vector<const char*>& names)
@@ -49,7 +49,7 @@ private slots:
                 besidesTurned << dock->objectName();
             QCOMPARE(besides, besidesTurned);
         }
-        QCOMPARE(one.tabifiedDockWidgets(&docks.of("propertiesDock")).size(), 2);
+        QCOMPARE(one.tabifiedDockWidgets(&docks.of("propertiesDock")).size(), 3);
         QCOMPARE(one.tabifiedDockWidgets(&docks.of("logDock")).size(), 6);
         QVERIFY(one.tabifiedDockWidgets(&docks.of("timelineDock")).empty());
     }
@@ -76,7 +76,7 @@ private slots:
         int hidden = 0;
         for (const char* name : names())
             hidden += docks.of(name).isHidden() ? 1 : 0;
-        QCOMPARE(hidden, 3);
+        QCOMPARE(hidden, 4);
         docks.show("probeDock");
         QVERIFY(!docks.of("probeDock").isHidden());
     }

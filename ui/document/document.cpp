@@ -87,6 +87,7 @@ void Document::open(PreparedModel prepared)
     forgetGoing();
     m_whenSettled.clear();
     m_playback.forget();
+    m_opened = content->model;
     beginFixtures(prepared);
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.script)},
                     std::move(prepared.first),
@@ -109,9 +110,14 @@ void Document::refill(PreparedModel prepared, const Message& name)
     const std::vector<std::optional<Fixture>> held(fixtures.begin(), fixtures.end());
     start(std::move(prepared.simulation), content, std::move(prepared.frame));
     forgetGoing();
+    for (const FaceFixture& fixture : prepared.fixtures)
+        m_fixtures.keepInMind(fixture);
     m_fixtures.follow(*content, held);
     const QString spacing = formatQuantity(content->spacing, Quantity::Length);
-    m_history.expectStart({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
+    ProjectStart next = startOf(*content, std::move(prepared.scene));
+    if (content->model != m_opened)
+        next.model = content->model;
+    m_history.expectStart({std::move(next), content}, std::move(prepared.first),
                           name.empty() ? Message("Document", "Refill %1").with(spacing.toStdString()) : name);
     m_start = static_cast<std::uint32_t>(m_history.starts().size() - 1);
     showStart();
@@ -127,6 +133,7 @@ void Document::open(PreparedProject prepared)
         starts.push_back({.start = std::move(start), .content = nullptr, .choices = std::move(choices)});
     }
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
+    m_opened = project.model;
     m_start = m_history.tree().record(project.current).start;
     m_history.setModel(m_start, destination.content);
     start(std::move(*destination.simulation), destination.content, std::move(destination.frame));
@@ -157,6 +164,7 @@ void Document::close()
     nothing->model = std::make_shared<const Model>();
     nothing->box = m_content->box;
     m_content = std::move(nothing);
+    m_opened = nullptr;
     m_frame = std::make_shared<const Frame>(Frame{.snapshot = std::make_shared<const Snapshot>()});
     m_seen = nullptr;
     ++m_generation;
@@ -181,7 +189,7 @@ Project Document::project() const
     Project project;
     if (m_history.isEmpty())
         return project;
-    project.model = m_content->model;
+    project.model = m_opened;
     project.import = m_content->request;
     for (const DocumentHistory::Start& start : m_history.starts())
         project.starts.push_back(start.start);

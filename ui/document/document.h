@@ -76,7 +76,7 @@ public:
 
     /// Shows another content with its simulation, paused at its start: a new document, with a history of its own.
     void open(PreparedModel prepared);
-    /// Shows the same model filled anew: the next entry of the history.
+    /// Shows the same model filled anew, or what a deformation made of it: the next entry of the history.
     void refill(PreparedModel prepared, const Message& name = {});
     /// Shows a project at its current entry.
     /// @throws Problem when its entries do not form a tree; nothing has changed
@@ -382,6 +382,7 @@ private:
     std::unique_ptr<SimulationThread> m_simulation; // gone before the history, which it tells of gestures
     std::unique_ptr<FramePreparer> m_preparer;
     std::vector<std::future<void>> m_retiring; ///< earlier simulations on their way out
+    std::shared_ptr<const Model> m_opened;     ///< that the document was opened with; later starts may have another
 };
 
 } // namespace knead

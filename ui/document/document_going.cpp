@@ -111,7 +111,7 @@ HistoryNavigation Document::navigationTo(Entry entry) const
     HistoryNavigation navigation;
     navigation.way = tree.wayTo(entry);
     navigation.start = m_history.starts()[navigation.way.start];
-    navigation.model = m_content->model;
+    navigation.model = navigation.start.start.model ? navigation.start.start.model : m_opened;
     navigation.packing = m_history.packing();
     navigation.changesStart = navigation.way.start != tree.record(m_shown).start;
     return navigation;

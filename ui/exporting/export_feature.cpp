@@ -159,6 +159,20 @@ std::optional<ReportPlace> ExportFeature::placeOf(const PartExportReport& part) 
     return found ? std::optional(ReportPlace::ofPart(*found)) : std::nullopt;
 }
 
+void ExportFeature::showDeformed(const ExportReport& report)
+{
+    if (report.parts.empty())
+        return; // meshes only
+    m_exported = m_bench.document.content().model;
+    m_panel->show({report}, [this](const PartExportReport& part) { return placeOf(part); });
+    if (report.isSound())
+        return;
+    m_bench.docks.show("exportDock");
+    m_bench.notices.problem(
+        tr("Not all that the deformation made is sound; the export report says what is not. Undo goes "
+           "back to the part as it was."));
+}
+
 void ExportFeature::showExport(const std::vector<ExportReport>& reports)
 {
     m_exported = m_bench.document.content().model;

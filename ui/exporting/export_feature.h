@@ -29,6 +29,9 @@ public:
     /// Writes the deformed parts in the background; the ending decides the format.
     void exportTo(const QString& path, const ExportRequest& request = {});
 
+    /// The report on parts that were deformed, which were written and read again for that.
+    void showDeformed(const ExportReport& report);
+
 signals:
     void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
 

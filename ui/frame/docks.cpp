@@ -24,13 +24,14 @@ struct DockPlace {
     bool isShownAtFirst = true;
 };
 
-constexpr std::array<DockPlace, 14> dockPlaces{{
+constexpr std::array<DockPlace, 15> dockPlaces{{
     {"modelDock", Qt::LeftDockWidgetArea, {}},
     {"historyDock", Qt::LeftDockWidgetArea, "modelDock"},
     {"simulationDock", Qt::LeftDockWidgetArea, "modelDock"},
     {"propertiesDock", Qt::LeftDockWidgetArea, {}},
     {"displayDock", Qt::LeftDockWidgetArea, "propertiesDock"},
     {"handsDock", Qt::LeftDockWidgetArea, "propertiesDock"},
+    {.name = "deformDock", .area = Qt::LeftDockWidgetArea, .with = "propertiesDock", .isShownAtFirst = false},
     {.name = "timelineDock", .area = Qt::BottomDockWidgetArea, .with = {}, .isLow = true},
     {"logDock", Qt::BottomDockWidgetArea, {}},
     {"importDock", Qt::BottomDockWidgetArea, "logDock"},

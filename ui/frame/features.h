@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/deforming/deform_feature.h"
 #include "ui/exporting/export_feature.h"
 #include "ui/help/help_feature.h"
 #include "ui/importing/import_feature.h"
@@ -8,6 +9,7 @@
 #include "ui/measuring/measuring_feature.h"
 #include "ui/preferences/preferences_feature.h"
 #include "ui/probes/probes_feature.h"
+#include "ui/project/other_part_feature.h"
 #include "ui/project/projects_feature.h"
 #include "ui/project/recipes_feature.h"
 #include "ui/recording/picture_feature.h"
@@ -22,6 +24,7 @@ namespace knead {
 struct Features {
     ProjectsFeature* projects = nullptr;
     RecipesFeature* recipes = nullptr;
+    OtherPartFeature* otherPart = nullptr;
     ImportFeature* imports = nullptr;
     ExportFeature* exports = nullptr;
     PictureFeature* pictures = nullptr;
@@ -29,6 +32,7 @@ struct Features {
     SelectionFeature* selection = nullptr;
     SimulationFeature* simulation = nullptr;
     HandsFeature* hands = nullptr;
+    DeformFeature* deforming = nullptr;
     MeasuringFeature* measuring = nullptr;
     ComparisonFeature* comparison = nullptr;
     ProbesFeature* probes = nullptr;

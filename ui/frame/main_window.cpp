@@ -187,6 +187,7 @@ void MainWindow::makeFeatures()
     f.views = new ViewsFeature(bench);
     f.projects = new ProjectsFeature(bench, *m_tree, m_center->home(), *f.views->actions().perspective);
     f.recipes = new RecipesFeature(bench, *f.projects);
+    f.otherPart = new OtherPartFeature(bench, *f.projects);
     f.imports = new ImportFeature(bench, *f.projects, *f.recipes);
     f.exports = new ExportFeature(bench);
     connect(f.recipes, &RecipesFeature::exportWanted, f.exports->action(), &QAction::trigger);
@@ -196,6 +197,8 @@ void MainWindow::makeFeatures()
     f.comparison = new ComparisonFeature(bench, f.measuring->measuring());
     f.probes = new ProbesFeature(bench, f.measuring->measuring(), f.projects->keeper());
     f.hands = new HandsFeature(bench, *m_modes);
+    f.deforming = new DeformFeature(bench, *m_modes);
+    connect(f.deforming, &DeformFeature::applied, f.exports, &ExportFeature::showDeformed);
     f.recording = new RecordingFeature(bench);
     f.selection = new SelectionFeature(
         bench, {*f.simulation, *f.hands, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});

@@ -60,7 +60,9 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     file->addActions({in.addPart, a.firstPage, f.projects->actions().close});
     file->addSeparator();
     file->addActions({f.projects->actions().save, f.projects->actions().saveAs, f.exports->action(),
-                      f.pictures->action(), f.recipes->exportAction()});
+                      f.pictures->action(), f.recipes->exportAction(), f.otherPart->action()});
+    file->addSeparator();
+    file->addAction(f.deforming->actions().byField);
     file->addSeparator();
     file->addAction(f.projects->actions().recover);
     file->addSeparator();
@@ -74,6 +76,9 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     edit->addActions({a.palette, p.shortcuts, p.preferences});
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
+    edit->addSeparator();
+    edit->addAction(f.deforming->actions().deform);
+    edit->addMenu(f.deforming->newMenu());
     edit->addSeparator();
     edit->addAction(s.search);
 

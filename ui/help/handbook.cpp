@@ -30,8 +30,9 @@ const std::vector<Page>& pages()
     static const std::vector<Page> all = [] {
         std::vector<Page> read;
         for (const char* name :
-             {"keys", "opening", "hands", "selecting", "seeing", "measuring", "history", "keeping", "exporting",
-              "preferences", "command-line", "recipes", "mechanics", "speed", "construction", "limits"})
+             {"keys",        "opening",      "hands",     "selecting", "seeing",       "measuring",    "history",
+              "keeping",     "exporting",    "deforming", "fields",    "compensating", "nodes",        "revisions",
+              "preferences", "command-line", "recipes",   "mechanics", "speed",        "construction", "limits"})
             read.push_back(handbook::read(name));
         return read;
     }();
@@ -70,6 +71,7 @@ QString pageOfPlace(const QString& name)
         {"logDock", "seeing"},
         {"importDock", "opening"},
         {"exportDock", "exporting"},
+        {"deformDock", "deforming"},
         {"performanceDock", "speed"},
         {"measureDock", "measuring"},
         {"probeDock", "measuring"},
@@ -83,7 +85,10 @@ QString pageOfPlace(const QString& name)
         {"addPartDialog", "opening"},
         {"exportDialog", "exporting"},
         {"exportFileDialog", "exporting"},
+        {"fieldDialog", "deforming"},
         {"recipeDialog", "recipes"},
+        {"otherPartDialog", "revisions"},
+        {"otherPartBox", "revisions"},
         {"preferencesDialog", "preferences"},
         {"recordDialog", "history"},
         {"recordFileDialog", "history"},

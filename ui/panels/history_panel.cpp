@@ -306,7 +306,10 @@ QTreeWidgetItem* HistoryPanel::makeRow(Entry entry)
     auto* row = new Row(*this, entry);
     row->setData(name, entryRole, entry);
     row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
-    row->setIcon(name, icon(beginsStart && entry != 0 ? "refill" : iconOf(kindOf(record, beginsStart))));
+    const auto modelOf = [this](std::uint32_t start) { return m_document.history().starts()[start].start.model; };
+    const bool isDeformed = beginsStart && modelOf(record.start) != modelOf(tree.record(record.parent).start);
+    const bool isRefilled = beginsStart && entry != 0;
+    row->setIcon(name, icon(isDeformed ? "deform" : isRefilled ? "refill" : iconOf(kindOf(record, beginsStart))));
     row->setText(made, clockTime(record.wallTime));
     for (const Column column : {simulated, made})
         row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

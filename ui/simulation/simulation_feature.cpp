@@ -137,7 +137,9 @@ void SimulationFeature::sayWhyNot()
     when.needBodies(
         {a.play, a.findBalance, a.reset, a.gravity, a.floor, a.keepUp, a.renormalize, a.refillNow, a.cutHere});
     when.needBodies({a.step}, [this] { return m_isSteppable ? Why() : tr("Pause first."); });
-    when.needBodies({a.pressIt}, [this] {
+    when.needBodies({a.pressIt}, [this]() -> Why {
+        if (m_bench.viewport.isLookingBack())
+            return tr("Come back to the present first: Esc.");
         return m_bench.document.canPressIt() ? Why()
                                              : tr("Only a part to which nothing was done yet is pressed like this.");
     });

@@ -153,7 +153,10 @@ void ViewportWidget::askForSurfaceFields()
     m_document.showPressing(request.quantity == SurfaceQuantity::contactForce ||
                             request.quantity ==
                                 SurfaceQuantity::vonMisesStress); // which depends on where something presses
-    if (request.isEmpty()) {
+    if (m_past && m_foretold) {
+        m_sights->forget();
+        setSurfaceFields(m_foretold);
+    } else if (request.isEmpty()) {
         m_sights->forget();
         setSurfaceFields(nullptr);
     } else if (const FramePointer& shown = shownFrame())
@@ -210,6 +213,7 @@ void ViewportWidget::documentChanged(Document::Change what)
     switch (what) {
     case Document::Change::Model:
         m_past = nullptr;
+        m_foretold = nullptr;
         m_caption->hide();
         beginContent();
         break;
@@ -239,6 +243,18 @@ void ViewportWidget::documentChanged(Document::Change what)
 }
 
 void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
+{
+    m_foretold = nullptr;
+    lookAt(frame, caption);
+}
+
+void ViewportWidget::lookAhead(const FramePointer& frame, const SurfaceFieldsPointer& fields, const QString& caption)
+{
+    m_foretold = frame ? fields : nullptr;
+    lookAt(frame, caption);
+}
+
+void ViewportWidget::lookAt(const FramePointer& frame, const QString& caption)
 {
     m_past = frame;
     m_regions->cancel(); // one selects in the present

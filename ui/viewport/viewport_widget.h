@@ -57,6 +57,9 @@ public:
     /// Shows a frame of the past with a caption, until null brings the present back. Tools cannot be moved meanwhile.
     void lookBack(const FramePointer& frame, const QString& caption);
     bool isLookingBack() const { return m_past != nullptr; }
+    /// The same with what would come of something, before it is done.
+    /// @param fields of the frame, in place of what the options ask for; null: none
+    void lookAhead(const FramePointer& frame, const SurfaceFieldsPointer& fields, const QString& caption);
 
     void fit();
     /// What lies on the view, so that fit() leaves the part beside it.
@@ -130,6 +133,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    void lookAt(const FramePointer& frame, const QString& caption);
     void documentChanged(Document::Change what);
     void updateMarks();
     void setSurfaceFields(const SurfaceFieldsPointer& fields);
@@ -175,6 +179,7 @@ private:
     double m_secondsOfOthers = 0;
     ForceLabels m_labels{this};
     std::map<const QObject*, Insets> m_taken; ///< by what lies there
+    SurfaceFieldsPointer m_foretold; ///< of m_past, where that is still to come; null: what the options ask for
 };
 
 } // namespace knead

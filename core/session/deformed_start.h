@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/session/deformed_model.h"
+#include "core/session/filled_model.h"
+#include "core/session/frame.h"
+
+#include <memory>
+#include <vector>
+
+namespace knead {
+
+/// Which parts are to be deformed, and how.
+struct DeformationRequest {
+    std::shared_ptr<const std::vector<Deformation>> deformations; ///< one after the other, at least one
+    std::vector<bool> which;                                      ///< per part of the model; empty: all
+};
+
+/// The parts after a deformation, filled again, with the report on their faces.
+struct PreparedDeformation {
+    PreparedModel prepared;
+    ExportReport report;
+};
+
+/// Deforms the parts of a content as a frame shows them, and fills them again with the same spacing. Materials, kinds of bodies, tools,
+/// gravity and floor stay; the floor goes down where parts reach below it. Fixtures stay on their faces, wherever these are now and
+/// however many they have become. Runs on a task thread.
+/// @param shown a frame of the content
+/// @throws as deformedModel() and prepareRefill()
+PreparedDeformation prepareDeformation(const FilledModel& before, const FramePointer& shown,
+                                       const std::vector<FaceFixture>& fixtures, const DeformationRequest& request,
+                                       const WriteAndRead& writeAndRead, TaskControl& control);
+
+} // namespace knead

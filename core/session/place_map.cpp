@@ -1,0 +1,119 @@
+#include "core/session/place_map.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double nearestShare = 1e-3; // of the size: how near a face counts as at it
+constexpr double pullDistance = 10;   // sizes: a face so far away says as much as the median does
+
+double scaleOf(const AffineMap& map)
+{
+    return std::cbrt(std::abs(map.linear.determinant()));
+}
+
+/// The triangles of a face by themselves.
+TriangleMesh meshOfFace(const TriangleMesh& mesh, std::uint32_t face)
+{
+    TriangleMesh piece;
+    std::vector<std::uint32_t> number(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!mesh.faceOfTriangle.empty() && mesh.faceOfTriangle[t] != face)
+            continue;
+        TriangleMesh::Triangle& triangle = piece.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& vertex = number[mesh.triangles[t][k]];
+            if (vertex == std::numeric_limits<std::uint32_t>::max()) {
+                vertex = static_cast<std::uint32_t>(piece.vertices.size());
+                piece.vertices.push_back(mesh.vertices[mesh.triangles[t][k]]);
+            }
+            triangle[k] = vertex;
+        }
+    }
+    return piece;
+}
+
+Vec3 medianOf(std::vector<Vec3> vectors)
+{
+    Vec3 median = Vec3::Zero();
+    if (vectors.empty())
+        return median;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto middle = vectors.begin() + static_cast<std::ptrdiff_t>(vectors.size() / 2);
+        std::ranges::nth_element(vectors, middle, {}, [axis](const Vec3& v) { return v[axis]; });
+        median[axis] = (*middle)[axis];
+    }
+    return median;
+}
+
+} // namespace
+
+struct PlaceMap::Face {
+    TriangleMesh mesh;
+    std::optional<SurfaceDistance> distance; // of the mesh
+    Vec3 beyond = Vec3::Zero();              // d
+    double grown = 0;                        // in radius [m]
+    Mat3 known = Mat3::Zero();               // P
+
+    /// d and what grew, where the surface faces that way there.
+    Vec3 wantedAt(const SurfaceDistance::Hit& hit, const Mat3& turn) const
+    {
+        const Vec3 normal = crossOf(mesh.vertices, mesh.triangles[hit.triangle]).normalized();
+        return beyond + grown * (turn * normal);
+    }
+};
+
+PlaceMap::PlaceMap(const Part& before, std::span<const FaceLook> looksBefore, std::span<const FaceLook> looksAfter,
+                   std::span<const FaceMatch> matches, const AffineMap& base)
+    : m_base(base)
+{
+    const double scale = scaleOf(base);
+    const Mat3 turn = base.linear / scale;
+    std::vector<Vec3> all;
+    for (const FaceMatch& match : matches) {
+        const FaceLook& from = looksBefore[match.before];
+        const FaceLook& to = looksAfter[match.after];
+        auto face = std::make_unique<Face>();
+        face->mesh = meshOfFace(before.mesh, match.before);
+        if (face->mesh.empty())
+            continue;
+        face->distance.emplace(face->mesh);
+        face->beyond = to.center - base.at(from.center);
+        face->grown = to.bulge - scale * from.bulge;
+        face->known = turn * from.spread * turn.transpose();
+        all.push_back(face->beyond);
+        m_faces.push_back(std::move(face));
+    }
+    m_median = medianOf(std::move(all));
+    const double size = std::max(boxOfPlaces(before.mesh.vertices).diagonal().norm(), 1e-9);
+    m_nearest = nearestShare * size;
+    m_pull = std::pow(pullDistance * size, -4);
+}
+
+PlaceMap::~PlaceMap() = default;
+
+Vec3 PlaceMap::beyond(const Vec3& place) const
+{
+    const Mat3 turn = m_base.linear / scaleOf(m_base);
+    Mat3 sum = m_pull * Mat3::Identity();
+    Vec3 wanted = m_pull * m_median;
+    for (const auto& face : m_faces) {
+        const SurfaceDistance::Hit hit = face->distance->nearest(place);
+        const double nearness = 1 / (hit.distance * hit.distance + m_nearest * m_nearest);
+        const Mat3 weighed = nearness * nearness * face->known;
+        sum += weighed;
+        wanted += weighed * face->wantedAt(hit, turn);
+    }
+    return sum.ldlt().solve(wanted);
+}
+
+} // namespace knead

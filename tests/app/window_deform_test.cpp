@@ -1,0 +1,434 @@
+#include "core/geometry/mass_properties.h"
+#include "support/projects_on_test.h"
+#include "ui/deforming/deform_feature.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/run_window.h"
+#include "ui/selection/selection_model.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace knead;
+
+/// Parts deformed by numbers and by a field, with mouse and keys.
+class WindowDeformTest : public QObject, ProjectsOnTest {
+    Q_OBJECT
+
+    static constexpr double cells = 24; // along the bar
+    static constexpr double quarter = std::numbers::pi / 2;
+
+    const History& tree() { return document().history().tree(); }
+    QString presentName() { return QString::fromStdString(tree().record(tree().current()).name); }
+    const Model& model() { return *document().content().model; }
+    const Part& bar() { return model().parts.at(0); }
+
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
+
+    void openBar() { openExample("bar.step", cells); }
+
+    /// Types into a field, as a person does.
+    void type(const char* name, const QString& text)
+    {
+        auto* field = find<QuantityField>(name);
+        QVERIFY2(field != nullptr && field->isVisible(), name);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY2(!field->hasProblem(), qPrintable(field->tip()));
+    }
+
+    /// Until the view shows what is said.
+    void previewed()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().isLookingBack(), patience);
+        QTest::qWait(0);
+    }
+
+    Box seenBox()
+    {
+        Box box;
+        for (const auto& body : m_window->viewport().shownFrame()->bodies)
+            for (const Vec3& place : body->places)
+                box.extend(place);
+        return box;
+    }
+
+    void begin(const char* name)
+    {
+        QVERIFY2(action(name)->isEnabled(), name);
+        action(name)->trigger();
+        QVERIFY(action("deform")->isChecked());
+    }
+
+    /// Enter in the view, and until the parts are filled again.
+    void apply()
+    {
+        const std::size_t entries = tree().records().size();
+        m_window->viewport().setFocus();
+        QTest::keyClick(&m_window->viewport(), Qt::Key_Return);
+        QTRY_VERIFY2_WITH_TIMEOUT(tree().records().size() > entries && isIdle(), qPrintable(problem()), patience);
+        QVERIFY(!action("deform")->isChecked());
+        QVERIFY(!m_window->viewport().isLookingBack());
+    }
+
+    /// @param other it is dragged to, in pixels from where it is
+    void drag(DeformHandle handle, const QPoint& way)
+    {
+        ViewportWidget& view = m_window->viewport();
+        const auto& frames = m_window->features().deforming->handles().frames();
+        QVERIFY(frames.has_value());
+        const QPoint from = view.widgetPosition(frames->placeOf(handle))->toPoint();
+        QTest::mouseMove(&view, from);
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        for (const double share : {0.25, 0.5, 0.75, 1.0})
+            QTest::mouseMove(&view, from + (share * QPointF(way)).toPoint());
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + way);
+    }
+
+    /// Every file has the same two steps: u = (0, 0, x / 20) at the nodes of a grid around the bar.
+    Services servicesWithShear()
+    {
+        Services services = m_services;
+        services.readField = [](const std::string& path, const FieldChoice& choice, TaskControl&) {
+            FieldFile read{.path = path, .format = "table", .steps = {"1", "2"}, .names = {"DISP"}, .name = "DISP"};
+            read.step = choice.step.value_or(1);
+            read.unit = choice.unit.empty() ? "mm" : choice.unit;
+            for (int x = 0; x <= 12; ++x)
+                for (int y = 0; y <= 4; ++y)
+                    for (int z = 0; z <= 4; ++z) {
+                        const Vec3 node(0.02 * x - 0.12, 0.015 * y - 0.03, 0.015 * z - 0.03);
+                        read.field.nodes.push_back(node);
+                        read.field.displacements.emplace_back(0, 0, 0.05 * node.x());
+                    }
+            read.warnings.push_back(Message::verbatim("Two nodes were left out."));
+            return read;
+        };
+        return services;
+    }
+
+    double value(const char* name) { return find<QuantityField>(name)->value(); }
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
+        prepare(qEnvironmentVariableIsEmpty("KNEAD_PICTURES") ? Eyes::none : Eyes::open);
+    }
+
+    void init() { ProjectsOnTest::begin(); }
+    void cleanup() { m_window.reset(); }
+
+    /// A quarter of a circle, by Pappus as much material; undone, redone, saved and read again.
+    void aBarIsBentByTypingAnAngle()
+    {
+        openBar();
+        const Box before = document().content().box;
+        const double volume = bar().volume;
+        const std::size_t faces = bar().faces.size();
+        begin("deformBend");
+        picture("deform-begun");
+        type("deformAngle", "90");
+        const double length = before.sizes().x();
+        const double radius = length / quarter;
+        QVERIFY(std::abs(value("deformRadius") - radius) < 1e-6 * radius);
+        previewed();
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(seenBox().sizes().x() - (radius + before.sizes().z() / 2)) < 1e-3 * length,
+                                 patience);
+        picture("deform-bend");
+        apply();
+        QCOMPARE(presentName(), QString("Bent by 90\u00B0"));
+        const auto isBent = [&] {
+            return std::abs(bar().volume / volume - 1) < 1e-3 &&
+                   std::abs(bar().box.sizes().x() - (radius + before.sizes().z() / 2)) < 1e-3 * length &&
+                   std::abs(bar().box.sizes().z() - (radius + before.sizes().z() / 2)) < 1e-3 * length;
+        };
+        QVERIFY2(
+            isBent(),
+            qPrintable(
+                QString("%1 %2 %3").arg(bar().volume / volume).arg(bar().box.sizes().x()).arg(bar().box.sizes().z())));
+        QVERIFY(bar().faces.size() >= faces && bar().exact && bar().watertight && bar().valid);
+        QVERIFY(std::abs(document().content().spacing * cells / length - 1) < 1e-9);
+        picture("deform-bent");
+
+        key(Qt::Key_Z, Qt::ControlModifier);
+        wait();
+        QVERIFY(bar().box.isApprox(before, 1e-6) && bar().volume == volume);
+        QCOMPARE(bar().faces.size(), faces);
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        wait();
+        QVERIFY(isBent());
+
+        saveTo(file("bent.knead"));
+        const std::uint64_t saved = hash();
+        newWindow(m_services);
+        openProject(file("bent.knead"));
+        QVERIFY(isBent() && bar().exact);
+        QCOMPARE(hash(), saved);
+        QCOMPARE(presentName(), QString("Bent by 90\u00B0"));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        wait();
+        QVERIFY(bar().box.isApprox(before, 1e-6));
+    }
+
+    void planesAndAnglesAreDragged()
+    {
+        openBar();
+        rest();
+        begin("deformBend");
+        previewed();
+        const double from = value("deformFrom");
+        const double to = value("deformTo");
+        const Box box = document().content().box;
+        const ViewportWidget& view = m_window->viewport();
+        const QPointF one = *view.widgetPosition(box.min());
+        const QPointF other = *view.widgetPosition(box.min() + Vec3(box.sizes().x(), 0, 0));
+        drag(DeformHandle::to, (0.3 * (one - other)).toPoint());
+        QVERIFY2(value("deformTo") < to - 0.15 * (to - from) && value("deformTo") > from, "the plane did not follow");
+        QCOMPARE(value("deformFrom"), from);
+        const double angle = value("deformAngle");
+        drag(DeformHandle::value, {0, -40});
+        QVERIFY2(std::abs(value("deformAngle") - angle) > 0.02, "the angle did not follow");
+        picture("deform-dragged");
+        type("deformAngle", "60");
+        apply();
+        QVERIFY(std::abs(bar().box.sizes().x() / box.sizes().x() - 1) > 0.02);
+    }
+
+    void escLeavesEverythingAsItIs()
+    {
+        openBar();
+        const std::size_t entries = tree().records().size();
+        const FramePointer frame = document().frame();
+        begin("deformTwist");
+        previewed();
+        picture("deform-twist");
+        QVERIFY(m_window->viewport().shownFrame() != frame);
+        m_window->viewport().setFocus();
+        QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
+        QVERIFY(!action("deform")->isChecked() && !m_window->viewport().isLookingBack());
+        QCOMPARE(m_window->viewport().shownFrame()->bodies, document().frame()->bodies);
+        QCOMPARE(tree().records().size(), entries);
+    }
+
+    /// A sentence with the radius that would do.
+    void aBendThatFoldsIsRefused()
+    {
+        openBar();
+        begin("deformBend");
+        type("deformRadius", "1 mm");
+        auto* told = find<QLabel>("deformProblem");
+        QVERIFY(told->isVisible());
+        QVERIFY2(told->text().contains("at least a radius of"), qPrintable(told->text()));
+        QVERIFY(!find<QToolButton>("pressButton")->isVisible());
+        QVERIFY(!find<QPushButton>("applyDeform")->isEnabled());
+        picture("deform-folds");
+        m_window->viewport().setFocus();
+        QTest::keyClick(&m_window->viewport(), Qt::Key_Return);
+        QVERIFY(!m_window->tasks().isRunning());
+        type("deformAngle", "30");
+        QVERIFY(!told->isVisible() && find<QPushButton>("applyDeform")->isEnabled());
+    }
+
+    /// The dent of a block is in what is stretched: it has lost more than the bar alone would.
+    void whatWasKneadedIsDeformedToo()
+    {
+        openBar();
+        action("pressIt")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.3, patience);
+        key(Qt::Key_Space);
+        waitForGesture();
+        const auto present = [this] {
+            Box box;
+            for (const auto& body : document().frame()->bodies)
+                for (const Vec3& place : body->places)
+                    box.extend(place);
+            return box;
+        };
+        const Box kneaded = present();
+        QVERIFY(!kneaded.isApprox(document().content().box, 1e-3));
+        begin("deformStretch");
+        type("deformFactor", "1.5");
+        apply();
+        QCOMPARE(presentName(), QString("Stretched to 1.5"));
+        const Box now = document().content().box;
+        const double size = kneaded.sizes().maxCoeff();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double wanted = kneaded.sizes()[axis] * (kneaded.sizes()[axis] == size ? 1.5 : 1);
+            QVERIFY2(std::abs(now.sizes()[axis] - wanted) < 0.01 * size,
+                     qPrintable(QString("%1: %2 %3").arg(axis).arg(now.sizes()[axis]).arg(wanted)));
+        }
+    }
+
+    void fixturesToolsAndGravityStay()
+    {
+        openBar();
+        const Box box = document().content().box;
+        document().toggleFace(0, faceAt(box.min().x()));
+        key(Qt::Key_B);
+        QTRY_COMPARE_WITH_TIMEOUT(snapshot().tools.size(), std::size_t{1}, patience);
+        key(Qt::Key_G);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().gravity.norm() > 0, patience);
+        wait();
+        const Vec3 gravity = snapshot().gravity;
+        QCOMPARE(snapshot().fixtures.size(), std::size_t{1});
+        begin("deformShear");
+        picture("deform-shear");
+        type("deformShift", "10 mm");
+        apply();
+        QCOMPARE(snapshot().fixtures.size(), std::size_t{1});
+        QVERIFY(snapshot().gravity == gravity);
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+        const FaceFixture& fixture = document().fixtures().list()[0];
+        for (const std::uint32_t face : fixture.faces)
+            for (std::size_t t = 0; t < bar().mesh.triangles.size(); ++t)
+                if (bar().mesh.faceOfTriangle[t] == face)
+                    for (const Vec3& corner : cornersOf(bar().mesh.vertices, bar().mesh.triangles[t]))
+                        QVERIFY(std::abs(corner.x() - box.min().x()) < 1e-6);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        wait();
+        QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+    }
+
+    /// A field that is that of a function comes back as it.
+    void aFieldDeformsTheBar()
+    {
+        newWindow(servicesWithShear());
+        openBar();
+        const Box before = document().content().box;
+        const double volume = bar().volume;
+        m_window->features().deforming->openField(file("result.csv"));
+        waitForTasks();
+        previewed();
+        QVERIFY(action("deform")->isChecked());
+        QCOMPARE(find<QComboBox>("fieldStep")->currentIndex(), 1);
+        QVERIFY(find<QLabel>("fieldSentences")->text().contains("left out"));
+        QVERIFY(m_window->viewport().scale().has_value());
+        picture("deform-field");
+        type("fieldFactor", "-2");
+        type("fieldExaggeration", "5");
+        QTest::mouseClick(find<QCheckBox>("fieldColors"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->viewport().scale().has_value(), patience);
+        apply();
+        QCOMPARE(presentName(), QString("Deformed by result.csv, times -2"));
+        QVERIFY(std::abs(bar().volume / volume - 1) < 1e-3); // of a shear
+        const double rise = 2 * 0.05 * before.sizes().x();
+        QVERIFY2(std::abs(bar().box.sizes().z() - before.sizes().z() - rise) < 1e-3 * before.sizes().x(),
+                 qPrintable(QString::number(bar().box.sizes().z() - before.sizes().z())));
+    }
+
+    /// What stays is chosen in the part as it is, with clicks.
+    void facesThatAreChosenStay()
+    {
+        newWindow(servicesWithShear());
+        openBar();
+        const Box before = document().content().box;
+        m_window->features().deforming->openField(file("result.csv"));
+        waitForTasks();
+        previewed();
+        QTRY_VERIFY_WITH_TIMEOUT(seenBox().max().z() > before.max().z() + 1e-3, patience);
+        auto* choose = find<QPushButton>("fieldKeep");
+        QTest::mouseClick(choose, Qt::LeftButton);
+        QVERIFY(!m_window->viewport().isLookingBack());
+        rest();
+        const Vec3 center = before.center();
+        click({center.x(), center.y(), before.max().z()});
+        QTRY_COMPARE_WITH_TIMEOUT(document().selected().region().count(), std::size_t{1}, patience);
+        QTest::mouseClick(choose, Qt::LeftButton);
+        QCOMPARE(find<QLabel>("fieldKept")->text(), QString("1"));
+        previewed();
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(seenBox().max().z() - before.max().z()) < 1e-6, patience);
+        picture("deform-kept");
+    }
+
+    /// In millimetres, with words above its columns.
+    void aTableIsReadAndFits()
+    {
+        QFile table(file("warp.csv"));
+        QVERIFY(table.open(QFile::WriteOnly));
+        table.write("x,y,z,dx,dy,dz\n");
+        for (int x = 0; x <= 16; ++x)
+            for (int y = 0; y <= 2; ++y)
+                for (int z = 0; z <= 2; ++z)
+                    table.write(qPrintable(
+                        QString("%1,%2,%3,0,0,%4\n").arg(10 * x).arg(10 * y).arg(10 * z).arg(0.001 * 100 * x * x)));
+        table.close();
+        openBar();
+        const double volume = bar().volume;
+        m_window->features().deforming->openField(table.fileName());
+        waitForTasks();
+        QVERIFY2(action("deform")->isChecked(), qPrintable(problem()));
+        previewed();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("fieldLargest")->text() == "25.6 mm", patience);
+        picture("deform-table");
+        apply();
+        QCOMPARE(presentName(), QString("Deformed by warp.csv"));
+        QVERIFY(std::abs(bar().volume / volume - 1) < 1e-3 && bar().exact && bar().watertight);
+        QVERIFY(std::abs(bar().box.max().z() - (0.020 + 0.0256)) < 1e-4);
+    }
+
+    /// The project has the parts of its first start and those that were deformed; a recipe takes these from it.
+    void recipesTakeDeformedPartsFromTheProject()
+    {
+        openBar();
+        begin("deformTaper");
+        type("deformFactor", "0.5");
+        apply();
+        saveTo(file("tapered.knead"));
+        const Project project = m_services.projects.read(bytesOf(file("tapered.knead")), TaskControl::none());
+        QCOMPARE(project.starts.size(), std::size_t{2});
+        QVERIFY(!project.starts[0].model && project.starts[1].model);
+        QVERIFY(shownModel(project)->parts[0].volume < 0.8 * project.model->parts[0].volume);
+    }
+
+    void picturesInBothThemes()
+    {
+        if (qEnvironmentVariableIsEmpty("KNEAD_PICTURES"))
+            return;
+        openExample("bracket.step", 16);
+        for (const Theme theme : {Theme::Dark, Theme::Light}) {
+            m_window->features().preferences->setTheme(theme);
+            for (const char* kind : {"deformBend", "deformTwist", "deformTaper", "deformStretch", "deformScale"}) {
+                begin(kind);
+                previewed();
+                QTest::qWait(500);
+                picture(qPrintable(QString("deform-%1-%2").arg(theme == Theme::Dark ? "dark" : "light", kind)));
+            }
+            action("deform")->setChecked(false);
+        }
+    }
+
+private:
+    /// Of the bar: the face that lies across x there.
+    std::uint32_t faceAt(double x)
+    {
+        const TriangleMesh& mesh = bar().mesh;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
+            if (std::ranges::all_of(corners, [x](const Vec3& corner) { return std::abs(corner.x() - x) < 1e-9; }))
+                return mesh.faceOfTriangle[t];
+        }
+        return 0;
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowDeformTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_deform_test.moc"

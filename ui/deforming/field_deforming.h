@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/deformation/field_fit.h"
+#include "core/model/field_file.h"
+#include "ui/deforming/deform_stage.h"
+#include "ui/deforming/field_arrows.h"
+#include "ui/frame/workbench.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace knead {
+
+class FieldPage;
+
+/// A deformation by the displacements of another program, from the file to the finished parts: what its page says, what the view shows of
+/// it. Window thread.
+class FieldDeforming final : public QObject {
+    Q_OBJECT
+public:
+    FieldDeforming(const Workbench& bench, DeformStage& stage, FieldPage& page);
+
+    /// Reads a file in the background and begins with it. A failure is shown in a sentence and leaves everything as it was.
+    void open(const QString& path);
+    bool hasField() const { return m_field != nullptr; }
+    void forget();
+    void apply();
+
+signals:
+    void opened();                         ///< there is a field to deform with
+    void refused(const QString& sentence); ///< why it cannot be done so; empty: it can
+
+private:
+    void read(const std::string& path, const FieldChoice& choice);
+    void take(FieldFile file);
+    void chooseKept(bool on);
+    void keepSelected();
+    void keepNothing();
+    void look();
+    void lookAnew();
+    std::function<void(const SmoothMap&, TaskControl&)> examiner();
+    void showFit(const FieldFit& fit);
+    void showSeen(const DeformedFrame& seen);
+    FieldDeformation deformation(double factor) const;
+
+    Workbench m_bench;
+    DeformStage& m_stage;
+    FieldPage& m_page;
+    FieldArrows m_arrows;
+    std::string m_path;
+    std::string m_unit; ///< in which it was read
+    QStringList m_warnings;
+    std::shared_ptr<const DisplacementField> m_field; ///< null: none
+    TriangleMesh m_kept;                              ///< faces that stay [m]
+    std::size_t m_keptFaces = 0;
+    std::shared_ptr<const std::vector<Deformation>> m_whole; ///< with a factor of 1: what is looked at, scaled
+};
+
+} // namespace knead
