@@ -1,6 +1,7 @@
 #include "app/recipe_files.h"
 
 #include "app/cad_process.h"
+#include "app/deform_in_child.h"
 #include "app/recipe_exports.h"
 #include "io/files/safe_file.h"
 #include "io/project/project_file.h"
@@ -14,7 +15,9 @@ RecipeFiles recipeFiles()
             .readProject = [](const std::string& path, TaskControl& control) { return readProject(path, control); },
             .prepareFolders = prepareFolders,
             .writeExports = writeExports,
-            .writeTable = writeFileSafely};
+            .writeTable = writeFileSafely,
+            .writeAndRead = writeAndReadInChildren,
+            .readField = readFieldInChild};
 }
 
 } // namespace knead

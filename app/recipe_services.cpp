@@ -1,5 +1,6 @@
 #include "app/recipe_services.h"
 
+#include "app/part_application.h"
 #include "app/recipe_files.h"
 #include "app/resources.h"
 #include "core/message/message.h"
@@ -28,11 +29,20 @@ std::vector<Message> write(const std::string& path, const Project& project, cons
     return std::move(recipe.remarks);
 }
 
+AppliedPart apply(const std::string& part, const Project& project, const std::string& projectPath, TaskControl& control)
+{
+    constexpr double found = 0.6; // of the progress
+    TaskPortion finding(control, 0, found);
+    PartTransfer transfer = transferProject(project, projectPath, part, {}, finding);
+    TaskPortion starting(control, found, 1);
+    return {recipeStart(std::move(transfer.recipe), recipeFiles(), starting), std::move(transfer.report)};
+}
+
 } // namespace
 
 RecipeServices recipeServices()
 {
-    return {.ending = "json", .open = open, .write = write};
+    return {.ending = "json", .open = open, .write = write, .apply = apply};
 }
 
 } // namespace knead

@@ -163,4 +163,12 @@ void describeKeys(Fields& fields, RecipeLoad& load)
     describeAmount(fields, load.amount, load.ramp);
 }
 
+template <class Fields>
+void describeKeys(Fields& fields, RecipeProbe& probe)
+{
+    fields.needed("name", probe.name, Text{});
+    fields.optional("body", probe.body, Text{}, !probe.body.empty());
+    fields.needed("place_mm", probe.place, VectorInMillimeters{});
+}
+
 } // namespace knead::recipe_keys

@@ -19,15 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A path as the recipe names it.
-std::string seenFrom(const std::string& recipePath, const std::string& file)
-{
-    const fs::path whole = fs::absolute(file).lexically_normal();
-    if (recipePath.empty())
-        return whole.string();
-    return whole.lexically_proximate(fs::absolute(recipePath).parent_path().lexically_normal()).string();
-}
-
 /// Only the published arrangement has connections along the diagonals of cells.
 bool isAsPublished(const Aggregate& aggregate)
 {
@@ -41,11 +32,12 @@ public:
         , m_choices(choices)
         , m_start(project.starts.at(project.entries.at(project.current).start))
         , m_scene(m_start.scene)
-        , m_names(*project.model, m_start)
+        , m_model(*modelOf(project, m_start))
+        , m_names(m_model, m_start)
         , m_words{project, m_start, m_names, {presets, choices.recipePath}, {}, toolPartsOf(project)}
     {
         if (!choices.projectPath.empty())
-            m_words.toolPartFile = seenFrom(choices.recipePath, choices.projectPath);
+            m_words.toolPartFile = fileSeenFrom(choices.recipePath, choices.projectPath);
     }
 
     RecipeOfProject write()
@@ -68,8 +60,8 @@ private:
         if (m_scene.bodies.empty())
             throw Problem(Message("Recipe", "the project has no bodies."));
         std::vector<std::size_t> filled;
-        for (std::size_t p = 0; p < m_project.model->parts.size(); ++p)
-            if (const Part& part = m_project.model->parts[p];
+        for (std::size_t p = 0; p < m_model.parts.size(); ++p)
+            if (const Part& part = m_model.parts[p];
                 part.canBeFilled() || (m_project.import.fillsOpenParts && !part.mesh.empty()))
                 filled.push_back(p);
         if (filled != m_start.partOfBody)
@@ -82,6 +74,9 @@ private:
                 throw Problem(Message("Recipe", "its bodies differ in their spacing or structural friction."));
     }
 
+    /// By numbers or a field: then no file has the parts but the project.
+    bool isDeformed() const { return m_start.model != nullptr; }
+
     bool namesProject() const
     {
         const auto isThere = [](const std::string& path) {
@@ -89,7 +84,8 @@ private:
             return fs::is_regular_file(path, error);
         };
         const std::vector<std::string>& paths = m_project.import.paths;
-        return m_choices.namesProject || paths.empty() || !std::all_of(paths.begin(), paths.end(), isThere);
+        return isDeformed() || m_choices.namesProject || paths.empty() ||
+               !std::all_of(paths.begin(), paths.end(), isThere);
     }
 
     void putPart()
@@ -99,14 +95,20 @@ private:
         if (namesProject()) {
             if (m_choices.projectPath.empty())
                 throw Problem(
-                    Message("Recipe", "the files of its parts are not there any more; save the project first."));
-            part.files = {seenFrom(m_choices.recipePath, m_choices.projectPath)};
-            if (!m_choices.namesProject)
+                    isDeformed()
+                        ? Message("Recipe", "its parts were deformed by numbers or by a field, and only a project "
+                                            "keeps them so; save the project first.")
+                        : Message("Recipe", "the files of its parts are not there any more; save the project first."));
+            part.files = {fileSeenFrom(m_choices.recipePath, m_choices.projectPath)};
+            if (isDeformed())
+                m_remarks.push_back(Message("Recipe", "The parts were deformed by numbers or by a field: the recipe "
+                                                      "takes them from the project, as they were then."));
+            else if (!m_choices.namesProject)
                 m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
                                                       "the recipe takes the parts from the project."));
         } else {
             for (const std::string& path : m_project.import.paths)
-                part.files.push_back(seenFrom(m_choices.recipePath, path));
+                part.files.push_back(fileSeenFrom(m_choices.recipePath, path));
             part.import = m_project.import.options;
         }
         m_document.put("part", textOf(part));
@@ -239,6 +241,7 @@ private:
     const RecipeOfProjectChoices& m_choices;
     const ProjectStart& m_start;
     const Scene& m_scene;
+    const Model& m_model;
     RecipeNames m_names;
     RecipeWords m_words;
     PageText m_document;

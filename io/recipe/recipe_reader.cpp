@@ -3,6 +3,7 @@
 #include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
 #include "io/json/json_value.h"
+#include "io/recipe/recipe_deformations.h"
 #include "io/recipe/recipe_events.h"
 #include "io/recipe/recipe_exports.h"
 #include "io/recipe/recipe_objects.h"
@@ -295,14 +296,6 @@ void describeKeys(Fields& fields, RecipeExtraPart& part)
 }
 
 template <class Fields>
-void describeKeys(Fields& fields, RecipeProbe& probe)
-{
-    fields.needed("name", probe.name, Text{});
-    fields.optional("body", probe.body, Text{});
-    fields.needed("place_mm", probe.place, VectorInMillimeters{});
-}
-
-template <class Fields>
 void describeKeys(Fields& fields, Recipe& recipe)
 {
     const Context& context = fields.context;
@@ -315,6 +308,7 @@ void describeKeys(Fields& fields, Recipe& recipe)
         recipe.import = part.import;
         recipe.fillsOpenParts = part.fillsOpenParts;
     });
+    fields.optional("deform", recipe.deformations, ListOf{DeformationWords{context}});
     fields.optional("extra_parts", recipe.extraParts, ListOf{Object<RecipeExtraPart>{context}});
     fields.together({"spacing_mm", "cells_across", "cells_across_wall", "objects"},
                     [&](const JsonNode& root) { recipe.spacing = readSpacing(root); });

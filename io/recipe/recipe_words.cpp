@@ -4,6 +4,7 @@
 #include "io/recipe/recipe_places.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace knead {
 
@@ -11,19 +12,28 @@ RecipeRegion RecipeWords::place(BodyId body, const std::vector<ObjectIndex>& obj
 {
     if (objectsInBody > 0)
         return laterPlaceOf(objectsInBody, objects);
-    return placeOf(aggregateOf(body), &project.model->parts[start.partOfBody.at(body)].mesh, objects);
+    return placeOf(aggregateOf(body), &modelOf(project, start)->parts[start.partOfBody.at(body)].mesh, objects);
 }
 
-RecipeMaterial RecipeWords::material(const Material& material, const Material& base) const
+RecipeMaterial materialWords(const Material& material, const Material& base, const std::vector<MaterialPreset>& presets)
 {
     const auto isIt = [&](const MaterialPreset& preset) { return preset.material == material; };
-    if (std::ranges::any_of(context.presets, isIt))
+    if (std::ranges::any_of(presets, isIt))
         return {material, {}};
     RecipeMaterial numbers;
     for (const MaterialField& field : materialFields())
         if (material.*field.value != base.*field.value)
             numbers.overrides.emplace_back(field.value, material.*field.value);
     return numbers;
+}
+
+std::string fileSeenFrom(const std::string& recipePath, const std::string& file)
+{
+    namespace fs = std::filesystem;
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    if (recipePath.empty())
+        return whole.string();
+    return whole.lexically_proximate(fs::absolute(recipePath).parent_path().lexically_normal()).string();
 }
 
 RecipeManipulator RecipeWords::named(const Manipulator& manipulator, const std::string& name) const

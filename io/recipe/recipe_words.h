@@ -11,6 +11,13 @@
 
 namespace knead {
 
+/// A bundled material, or the numbers that differ from another one.
+RecipeMaterial materialWords(const Material& material, const Material& base,
+                             const std::vector<MaterialPreset>& presets);
+
+/// A file as a recipe names it. @param recipePath empty: by its whole path
+std::string fileSeenFrom(const std::string& recipePath, const std::string& file);
+
 /// What recipes say of the things of a session.
 struct RecipeWords {
     const Project& project;
@@ -25,8 +32,10 @@ struct RecipeWords {
     /// Objects of a body that faces may mean. @param objectsInBody see RecordedCommand
     RecipeRegion place(BodyId body, const std::vector<ObjectIndex>& objects, std::uint32_t objectsInBody = 0) const;
 
-    /// A bundled material, or the numbers that differ from another one.
-    RecipeMaterial material(const Material& material, const Material& base) const;
+    RecipeMaterial material(const Material& material, const Material& base) const
+    {
+        return materialWords(material, base, context.presets);
+    }
     RecipeManipulator manipulator(const Manipulator& manipulator) const; ///< and gives the next tool its name
     RecipeFixture fixture(const Fixture& fixture, std::uint32_t objectsInBody = 0) const; ///< and names the next one
     RecipeLoad load(const Load& load) const;                                              ///< and names the next one

@@ -327,6 +327,35 @@ private slots:
         QCOMPARE(report.stateHash, refilled.simulation.stateHash());
     }
 
+    /// By numbers or by a field: no file has the parts as they were filled last.
+    void deformedPartsComeFromTheProject()
+    {
+        Document document(restingScene(*m_model, lumpSpacing));
+        Project project = projectOf(document, m_model, {0, 1});
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        Model longer = *m_model;
+        for (Part& part : longer.parts)
+            for (Vec3& vertex : part.mesh.vertices)
+                vertex.x() *= 1.25;
+        Document deformed(restingScene(longer, lumpSpacing));
+        fuzz::Random random(5);
+        deformed.doSomething(random, 30);
+        project.starts.push_back({deformed.scene, {0, 1}, std::make_shared<const Model>(longer)});
+        for (HistoryRecord record : deformed.history.records()) {
+            record.parent = static_cast<std::uint32_t>(project.entries.size() - 1);
+            record.start = 1;
+            project.entries.push_back(record);
+        }
+        project.current = static_cast<std::uint32_t>(project.entries.size() - 1);
+        QVERIFY_EXCEPTION_THROWN(write(project, "unsaved.recipe.json"), Problem);
+        writeProject(m_shop.path("longer.knead"), project);
+        const RecipeOfProject recipe = write(project, "longer.recipe.json", m_shop.path("longer.knead"));
+        QVERIFY(recipe.remarks.at(0).english().starts_with("The parts were deformed by numbers or by a field"));
+        QCOMPARE(json::parse(recipe.text).at("part").at("file").get<std::string>(), std::string("longer.knead"));
+        const RunReport report = runRecipe(read("longer.recipe.json"), recipeFiles(), m_shop.path("out"));
+        QCOMPARE(report.stateHash, deformed.simulation.stateHash());
+    }
+
     void whatCannotBeSaidIsASentence()
     {
         const Document document(restingScene(*m_model, lumpSpacing));

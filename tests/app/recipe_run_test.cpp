@@ -4,6 +4,8 @@
 #include <QtTest>
 
 #include <cmath>
+#include <fstream>
+#include <numbers>
 #include <vector>
 
 using namespace workshop;
@@ -27,6 +29,8 @@ private slots:
     void partsAreBroughtTogetherAndGlued();
     void regionsAndTimeStepsReachTheSimulation();
     void whatIsShorterThanAFrameIsSimulated();
+    void partsAreBentByNumberFirst();
+    void bendsThatFoldAreRefused();
     void publishedScenesAreRepeated();
     void commandsThatMakeNoSenseAreWarnedOf();
     void numbersOfALaterFillingFitThatOneOnly();
@@ -318,6 +322,39 @@ void RecipeRunTest::whatIsShorterThanAFrameIsSimulated()
     QVERIFY(std::abs(report.at("simulated_s").get<double>() - 0.005) < 1e-4);
     recipe["integrator"] = "automatic";
     QVERIFY(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("steps").get<int>() > 10);
+}
+
+/// The example: nothing moves once the tube is bent, which leaves with true tori.
+void RecipeRunTest::partsAreBentByNumberFirst()
+{
+    const Workshop shop;
+    const Outcome outcome =
+        knead({"run", KNEAD_RESOURCES "/examples/bent-tube.recipe.json", "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    const json& part = report.at("exports")[0].at("parts")[0];
+    QVERIFY(part.at("sound").get<bool>());
+    const double volume = std::numbers::pi * (0.01 * 0.01 - 0.008 * 0.008) * 0.2;
+    QVERIFY(std::abs(part.at("volume_m3").at("file").get<double>() / volume - 1) < 1e-6);
+    std::ifstream file(shop.path("out/tube-bent.step"));
+    const std::string step(std::istreambuf_iterator<char>(file), {});
+    std::size_t tori = 0;
+    for (std::size_t at = step.find("TOROIDAL_SURFACE"); at != std::string::npos;
+         at = step.find("TOROIDAL_SURFACE", at + 1))
+        ++tori;
+    QCOMPARE(tori, std::size_t(2));
+    QVERIFY(step.find("B_SPLINE_SURFACE") == std::string::npos);
+}
+
+void RecipeRunTest::bendsThatFoldAreRefused()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["deform"] = json::parse(
+        R"([{"kind": "bend", "axis": [1, 0, 0], "side": [0, 0, 1], "from_mm": 50, "to_mm": 80, "radius_mm": 6}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    QVERIFY(outcome.status != 0);
+    QVERIFY2(outcome.errors.find("would fold the material") != std::string::npos, outcome.errors.c_str());
 }
 
 void RecipeRunTest::publishedScenesAreRepeated()

@@ -45,7 +45,11 @@ json session()
 {
     return json::parse(R"({"version": 1, "part": {"files": ["bar.stl", "bar.stl"], "parts": ["a/b"], "unit": "inch",
         "heal": false, "cap_flat_openings": true, "deflection_mm": 0.1, "relative_deflection": 0.001,
-        "angular_deflection_rad": 0.3, "fills_open_parts": true}, "spacing_mm": 3, "duration_steps": 500,
+        "angular_deflection_rad": 0.3, "fills_open_parts": true}, "spacing_mm": 3,
+        "deform": [{"kind": "bend", "axis": [1, 0, 0], "side": [0, 1, 0], "from_mm": 0, "to_mm": 9, "radius_mm": 20},
+                   {"kind": "twist", "axis": [1, 0, 0], "from_mm": 0, "to_mm": 9, "angle_rad": 1},
+                   {"kind": "scale", "axis": [1, 0, 0], "from_mm": 0, "to_mm": 9, "factor": 2},
+                   {"kind": "shear", "axis": [1, 0, 0], "side": [0, 1, 0], "from_mm": 0, "to_mm": 9, "shift_mm": 2}], "duration_steps": 500,
         "bodies": {"lid": {"angular_velocity_rad_s": [0, 0, 1]}},
         "fixtures": [{"name": "end", "body": "lid", "objects": [3, [7, 9]], "objects_in_body": 20,
                       "velocity_mm_s": [0, 0, 1],
@@ -87,6 +91,10 @@ json session()
 std::vector<json> fullRecipes()
 {
     json recipe = json::parse(R"({"version": 1, "part": {"file": "bar.stl"}, "objects": 500, "duration_s": 2,
+        "deform": [{"kind": "bend", "body": "Bar", "origin_mm": [0, 0, 5], "axis": [2, 0, 0], "side": [0, 0, 1], "from_mm": 10,
+                    "to_mm": 40, "stays": 0.5, "eases": true, "angle_deg": 30, "neutral_mm": 1},
+                   {"field": "bar.stl", "body": "Bar", "step": 2, "name": "U", "unit": "mm", "factor": -1, "kept_faces": [1],
+                    "fade_mm": 5, "locked": ["z"]}],
         "extra_parts": [{"file": "bar.stl", "name": "lid", "position_mm": [1, 2, 3], "rotation_deg": [0, 0, 90]}],
         "arrangement": "cut-cells", "material": {"preset": "clay", "friction": 1}, "body_materials": {"lid": "rubber"},
         "regions": [{"name": "hard", "body": "lid", "faces": [0, 3], "material": {"youngs_modulus_pa": 1e6}}],
@@ -159,6 +167,8 @@ const std::vector<std::pair<std::string, std::string>>& objects()
         {"/properties/part", "/part"},
         {"/properties/floor", "/floor"},
         {"/$defs/materialNumbers", "/material"},
+        {"/$defs/deformByNumber", "/deform/0"},
+        {"/$defs/deformByField", "/deform/1"},
         {"/$defs/extraPart", "/extra_parts/0"},
         {"/$defs/body", "/bodies/lid"},
         {"/$defs/fixture", "/fixtures/0"},
@@ -282,6 +292,9 @@ bool isBeyondSchemas(const std::string& message)
                                          "must not be earlier than",
                                          "must not be less than",
                                          "must go on upwards",
+                                         "must be larger than from_mm",
+                                         "must point across the axis",
+                                         "goes around more than ten times",
                                          "must be later than",
                                          "of length 1",
                                          "needs an event with a step"};

@@ -27,6 +27,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Elips.hxx>
@@ -282,6 +283,37 @@ std::vector<ExampleBody> makeHandle()
                                           3);
     const TopoDS_Shape ferrule = roundedRims(cylinder({0, 0, -16}, gp_Dir(0, 0, 1), 7.5, 16), 1.5);
     return {{"Grip", grip, 0.30, 0.34, 0.36}, {"Ferrule", ferrule, 0.79, 0.80, 0.82}};
+}
+
+std::vector<ExampleBody> makeTube()
+{
+    constexpr double length = 200;
+    const gp_Pnt foot(0, 0, 0);
+    const TopoDS_Shape outside = cylinder(foot, gp::DX(), 10, length);
+    return {{"Tube", BRepAlgoAPI_Cut(outside, cylinder(foot, gp::DX(), 8, length)).Shape(), 0.62, 0.65, 0.7}};
+}
+
+std::vector<ExampleBody> makeCantilever()
+{
+    constexpr double thickness = 10;
+    TopoDS_Shape arm = box(0, 0, 0, 120, 20, thickness);
+    for (const double along : {7.0, 18.0})
+        arm = BRepAlgoAPI_Cut(arm, cylinder(gp_Pnt(along, 10, 0), gp_Dir(0, 0, 1), 3, thickness)).Shape();
+    return {{"Arm", arm, 0.31, 0.53, 0.73}};
+}
+
+std::vector<ExampleBody> makePrintedBracket()
+{
+    constexpr double wall = 4;
+    constexpr double width = 30; // along y
+    const gp_Dir y(0, 1, 0);
+    TopoDS_Shape body = unified(BRepAlgoAPI_Fuse(box(0, 0, 0, 60, width, wall), box(0, 0, 0, wall, width, 40)).Shape());
+    body = rounded(body, 4, [&](const gp_Pnt& p, const gp_Dir& d) { // the inner corner
+        return isParallel(d, y) && isNear(p.X(), wall) && isNear(p.Z(), wall);
+    });
+    body = BRepAlgoAPI_Cut(body, cylinder({42, width / 2, -1}, gp_Dir(0, 0, 1), 5, wall + 2)).Shape();
+    body = BRepAlgoAPI_Cut(body, cylinder({-1, width / 2, 26}, gp_Dir(1, 0, 0), 4, wall + 2)).Shape();
+    return {{"Bracket", body, 0.84, 0.55, 0.24}};
 }
 
 std::vector<ExampleBody> makeBowl()

@@ -35,6 +35,15 @@ std::vector<ExampleBody> makeGrip();
 /// A curved grip that stands upright, with a swelling for the palm, and the metal ferrule below it.
 std::vector<ExampleBody> makeHandle();
 
+/// A steel tube of 20 x 2 mm along x, 200 mm long, to be bent by number.
+std::vector<ExampleBody> makeTube();
+
+/// An arm of 120 x 20 x 10 mm along x, with two screw holes at its held end.
+std::vector<ExampleBody> makeCantilever();
+
+/// An angle bracket of 60 x 30 x 40 mm with a wall of 4 mm, rounded in its corner, with two holes: to be printed.
+std::vector<ExampleBody> makePrintedBracket();
+
 // Parts of the gallery, in the colors that the window gives their materials.
 
 /// A bowl of 96 mm across with a wall of 3.5 mm and a foot, upside up.

@@ -36,11 +36,14 @@ int main(int argc, char** argv)
         const std::string gallery = std::string(argv[1]) + "/gallery";
         writeExample(examples, "bar", makeBar());
         writeExample(examples, "bracket", makeBracket());
+        writeExample(examples + "/cantilever", "cantilever", makeCantilever());
         writeExample(examples, "grip", makeGrip());
         writeExample(examples, "handle", makeHandle());
         writeExample(examples, "lump", makeLump());
         writeExample(examples, "paper-bar", makePaperBar());
         writeExample(examples, "plate", makePlate());
+        writeExample(examples, "tube", makeTube());
+        writeExample(examples + "/warped-bracket", "bracket", makePrintedBracket());
         writeExample(gallery, "bowl", makeBowl());
         writeExample(gallery, "cake", makeCake());
         writeExample(gallery, "cushion", makeCushion());
