@@ -1,9 +1,13 @@
 #include "app/command_line.h"
 
+#include "app/commands/apply_command.h"
 #include "app/commands/compare_command.h"
+#include "app/commands/compensate_command.h"
 #include "app/commands/convert_command.h"
+#include "app/commands/fields_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/measure_command.h"
+#include "app/commands/morph_command.h"
 #include "app/commands/recipe_command.h"
 #include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
@@ -56,10 +60,15 @@ int runProgram(int argc, char** argv)
     addRunCommand(program, status);
     addSweepCommand(program, status);
     addSweepPointCommand(program, status);
+    addCompensateCommand(program, status);
+    addCompensationWorkers(program, status);
     addRecipeCommand(program, status);
     addMeasureCommand(program, status);
     addCompareCommand(program, status);
+    addMorphCommand(program, status);
     addReplayCommand(program, status);
+    addApplyCommand(program, status);
+    addFieldsCommand(program, status);
 
     try {
         program.parse(argc, argv);

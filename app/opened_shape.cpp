@@ -3,7 +3,6 @@
 #include "app/cad_process.h"
 #include "core/message/message.h"
 #include "core/model/file_names.h"
-#include "core/session/prepared_project.h"
 #include "io/project/packing.h"
 #include "io/project/project_file.h"
 
@@ -16,19 +15,12 @@ namespace {
 
 OpenedShape openProject(const std::string& path, std::optional<std::uint32_t> entry, TaskControl& control)
 {
-    TaskPortion reading(control, 0, 0.3);
-    Project project = readProject(path, reading);
-    if (project.model == nullptr || project.entries.empty())
-        throw Problem(aboutFile(path, Message("Measurement", "the project has no parts.")));
-    project.current = entry.value_or(project.current);
-    if (project.current >= project.entries.size())
-        throw Problem(aboutFile(path, Message("Measurement", "the project has no entry %1; its last is %2.")
-                                          .with(project.current, project.entries.size() - 1)));
-    TaskPortion going(control, 0.3, 1);
-    PreparedProject prepared = prepareProject(std::move(project), zstandardPacking(), going);
+    PreparedProject prepared = openEntry(path, entry, control);
     OpenedShape shape{.content = *prepared.destination.content,
                       .frame = prepared.destination.frame,
                       .entry = prepared.project.current};
+    for (const HistoryRecord& record : prepared.project.entries)
+        shape.entries.push_back(record.name);
     shape.content.bodies = shape.frame->filled; // perhaps filled anew, or in pieces
     return shape;
 }
@@ -78,6 +70,20 @@ std::vector<Message> remarksOnImport(const Model& model)
         for (const Message& warning : part.warnings)
             all.push_back(Message::verbatim("%1 %2").with(part.name, warning));
     return all;
+}
+
+PreparedProject openEntry(const std::string& path, std::optional<std::uint32_t> entry, TaskControl& control)
+{
+    TaskPortion reading(control, 0, 0.3);
+    Project project = readProject(path, reading);
+    if (project.model == nullptr || project.entries.empty())
+        throw Problem(aboutFile(path, Message("Measurement", "the project has no parts.")));
+    project.current = entry.value_or(project.current);
+    if (project.current >= project.entries.size())
+        throw Problem(aboutFile(path, Message("Measurement", "the project has no entry %1; its last is %2.")
+                                          .with(project.current, project.entries.size() - 1)));
+    TaskPortion going(control, 0.3, 1);
+    return prepareProject(std::move(project), zstandardPacking(), going);
 }
 
 OpenedShape openShape(const std::string& path, std::optional<std::uint32_t> entry, const ImportOptions& how,

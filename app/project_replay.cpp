@@ -52,7 +52,7 @@ void writeFiles(const Project& project, const std::vector<std::string>& files, H
         throw std::runtime_error("The project has no parts that could be written.");
     const std::shared_ptr<const Snapshot> snapshot = replay.snapshot();
     const ProjectStart& start = project.starts[project.entries[at.entry].start];
-    ExportJob job = exportJobOf(*project.model, start.partOfBody, *snapshot);
+    ExportJob job = exportJobOf(*modelOf(project, start), start.partOfBody, *snapshot);
     const std::vector<RecipeExport> exports = wantedExports(files, job);
     prepareFolders(exports, ".");
     WrittenExports written = writeExports(exports, ".", std::move(job), *snapshot, control);

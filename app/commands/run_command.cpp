@@ -1,10 +1,12 @@
 #include "app/commands/run_command.h"
 
+#include "app/cad_process.h"
 #include "app/commands/command_output.h"
 #include "app/commands/force_report.h"
 #include "app/commands/run_json.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
+#include "app/fields_at_nodes.h"
 #include "app/recipe_files.h"
 #include "app/resources.h"
 #include "app/set_argument.h"
@@ -28,6 +30,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +45,7 @@ struct RunOptions {
     unsigned threads = 0;
     std::vector<std::string> settings; ///< "PATH=VALUE"
     RunTables tables;
+    FieldsRequest fields;
     bool json = false;
     bool endsWithParent = false;
 };
@@ -93,7 +97,21 @@ void sayWarnings(const RunReport& report, const std::vector<std::string>& said)
             std::cerr << "knead: warning: " << warning << '\n';
 }
 
-int carryOut(const Recipe& recipe, const RunOptions& options)
+/// Reads the mesh at once: a run that takes hours should not end at a wrong name.
+WriteAtNodes writerAtNodes(const FieldsRequest& request)
+{
+    checkFields(request);
+    if (request.nodes.empty())
+        return nullptr;
+    auto mesh = std::make_shared<const NodalMesh>(readNodesInChild(request.nodes, request.unit, TaskControl::none()));
+    return [request, mesh](const Model& model, std::span<const std::size_t> partOfBody, const Snapshot& snapshot,
+                           TaskControl& writing) {
+        const std::vector<BodyAtNodes> bodies = bodiesAtNodes(model, partOfBody, snapshot);
+        return WrittenAtNodes{request.output, writeFieldsAtNodes(request, *mesh, bodies, writing).warnings};
+    };
+}
+
+int carryOut(const Recipe& recipe, const RunOptions& options, const WriteAtNodes& writeAtNodes)
 {
     const ThreadLimit limit(options.threads);
     TerminalControl control;
@@ -105,7 +123,8 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
             const std::lock_guard lock(saying);
             said.push_back(sentence);
         };
-        const RunReport report = runRecipe(recipe, recipeFiles(), options.outputFolder, control, say, options.tables);
+        const RunReport report =
+            runRecipe(recipe, recipeFiles(), options.outputFolder, control, say, options.tables, writeAtNodes);
         control.clear();
         sayWarnings(report, said);
         options.json ? printAsJson(jsonOf(report)) : printSummary(report);
@@ -159,12 +178,14 @@ int run(const RunOptions& options)
     if (options.endsWithParent)
         endWithParent();
     Recipe recipe;
+    WriteAtNodes writeAtNodes;
     try {
+        writeAtNodes = writerAtNodes(options.fields);
         recipe = recipeOf(options);
     } catch (const std::exception& error) {
         return complain(error.what(), exit_status::wrongUse);
     }
-    return carryOut(recipe, options);
+    return carryOut(recipe, options, writeAtNodes);
 }
 
 } // namespace
@@ -188,6 +209,7 @@ void addRunCommand(CLI::App& program, int& exitStatus)
         ->add_option("--probes", options->tables.probes,
                      "Write what the probes of the recipe read over time as a table")
         ->type_name("FILE");
+    addFieldsArguments(*command, options->fields, "--nodes-unit", "--fields-output");
     command->add_option("--threads", options->threads, "Number of threads; the result is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1U, 1024U));

@@ -530,6 +530,78 @@
         <source>Back to the first page with nothing open; what is not saved is asked about</source>
         <translation>Zurück zur ersten Seite, ohne dass etwas offen ist; nach Ungespeichertem wird gefragt</translation>
     </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Mit Zahlen verformen</translation>
+    </message>
+    <message>
+        <source>Bend, twist, taper, stretch, shear or scale the part by numbers between two planes</source>
+        <translation>Das Teil zwischen zwei Ebenen mit Zahlen biegen, verdrehen, verjüngen, strecken, scheren oder skalieren</translation>
+    </message>
+    <message>
+        <source>&amp;Deform by a field...</source>
+        <translation>Mit einem Feld &amp;verformen...</translation>
+    </message>
+    <message>
+        <source>Move the part by displacements that another program computed, or against them</source>
+        <translation>Das Teil um Verschiebungen bewegen, die ein anderes Programm berechnet hat, oder gegen sie</translation>
+    </message>
+    <message>
+        <source>Bend...</source>
+        <translation>Biegen...</translation>
+    </message>
+    <message>
+        <source>Bend the part into an arc by an angle or a radius</source>
+        <translation>Das Teil um einen Winkel oder Radius zu einem Bogen biegen</translation>
+    </message>
+    <message>
+        <source>Twist...</source>
+        <translation>Verdrehen...</translation>
+    </message>
+    <message>
+        <source>Twist the part about an axis by an angle</source>
+        <translation>Das Teil um eine Achse um einen Winkel verdrehen</translation>
+    </message>
+    <message>
+        <source>Taper...</source>
+        <translation>Verjüngen...</translation>
+    </message>
+    <message>
+        <source>Make the part thicker or thinner toward one end</source>
+        <translation>Das Teil zu einem Ende hin dicker oder dünner machen</translation>
+    </message>
+    <message>
+        <source>Stretch...</source>
+        <translation>Strecken...</translation>
+    </message>
+    <message>
+        <source>Make the part longer or shorter between two planes</source>
+        <translation>Das Teil zwischen zwei Ebenen länger oder kürzer machen</translation>
+    </message>
+    <message>
+        <source>Shear...</source>
+        <translation>Scheren...</translation>
+    </message>
+    <message>
+        <source>Move one end of the part sideways</source>
+        <translation>Ein Ende des Teils seitwärts bewegen</translation>
+    </message>
+    <message>
+        <source>Scale between planes...</source>
+        <translation>Zwischen Ebenen skalieren...</translation>
+    </message>
+    <message>
+        <source>Make one end of the part larger or smaller in all directions</source>
+        <translation>Ein Ende des Teils in allen Richtungen größer oder kleiner machen</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y to another part...</source>
+        <translation>Auf ein anderes Teil &amp;anwenden...</translation>
+    </message>
+    <message>
+        <source>Do what was done here to another part, such as the next revision of this one</source>
+        <translation>Mit einem anderen Teil, etwa der nächsten Revision von diesem, tun, was hier getan wurde</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -793,6 +865,29 @@
     </message>
 </context>
 <context>
+    <name>Compensation</name>
+    <message>
+        <source>&quot;faces&quot; names face %1 of %2, which has %3; they are numbered from 0.</source>
+        <translation>„faces“ nennt Fläche %1 von %2, das %3 hat; sie sind ab 0 nummeriert.</translation>
+    </message>
+    <message>
+        <source>&quot;faces&quot; names %1, which is no part of the target; knead info shows their names.</source>
+        <translation>„faces“ nennt %1, das kein Teil des Ziels ist; knead info zeigt deren Namen.</translation>
+    </message>
+    <message>
+        <source>Points every %1 would be more than %2; choose a larger &quot;spacing_mm&quot;.</source>
+        <translation>Punkte alle %1 wären mehr als %2; ein größeres „spacing_mm“ wählen.</translation>
+    </message>
+    <message>
+        <source>The target has no surface; name another part.</source>
+        <translation>Das Ziel hat keine Oberfläche; ein anderes Teil nennen.</translation>
+    </message>
+    <message>
+        <source>What came out of round %1 has places that are no numbers; look at what its command wrote.</source>
+        <translation>Was aus Runde %1 herauskam, hat Stellen, die keine Zahlen sind; ansehen, was ihr Befehl geschrieben hat.</translation>
+    </message>
+</context>
+<context>
     <name>Curvature</name>
     <message>
         <source>Curvature</source>
@@ -824,6 +919,325 @@
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
         <translation>Die Ebene trifft nichts von „%1“, das sich schneiden ließe.</translation>
+    </message>
+</context>
+<context>
+    <name>DeformFeature</name>
+    <message>
+        <source>Fields (%1)</source>
+        <translation>Felder (%1)</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Zuerst in die Gegenwart zurückkehren: Esc.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Mit Zahlen verformen</translation>
+    </message>
+    <message>
+        <source>No part is selected: click one in the tree, or choose all parts.</source>
+        <translation>Kein Teil ist ausgewählt: eines im Baum anklicken oder alle Teile wählen.</translation>
+    </message>
+    <message>
+        <source>Deform by a field</source>
+        <translation>Mit einem Feld verformen</translation>
+    </message>
+</context>
+<context>
+    <name>DeformPanel</name>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Parts are bent, twisted, tapered, stretched, sheared or scaled by numbers here, or by the displacements of another program: File &gt; Deform by a field.</source>
+        <translation>Hier werden Teile mit Zahlen gebogen, verdreht, verjüngt, gestreckt, geschert oder skaliert, oder mit den Verschiebungen eines anderen Programms: Datei &gt; Mit einem Feld verformen.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Mit Zahlen verformen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Esc: everything stays as it is</source>
+        <translation>Esc: alles bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Enter in the view: the parts become what is shown</source>
+        <translation>Enter in der Ansicht: die Teile werden, was gezeigt ist</translation>
+    </message>
+</context>
+<context>
+    <name>DeformStage</name>
+    <message>
+        <source>Something else was done while the parts were deformed, so they stay as they are. Apply the deformation again.</source>
+        <translation>Während die Teile verformt wurden, geschah etwas anderes, darum bleiben sie, wie sie sind. Die Verformung nochmals anwenden.</translation>
+    </message>
+</context>
+<context>
+    <name>Deformation</name>
+    <message>
+        <source>The field has %1 nodes, but %2 displacements.</source>
+        <translation>Das Feld hat %1 Knoten, aber %2 Verschiebungen.</translation>
+    </message>
+    <message>
+        <source>Node %1 of the field has a number that is not finite, or far too large; leave that node out, or write the file again.</source>
+        <translation>Knoten %1 des Feldes hat eine Zahl, die nicht endlich oder viel zu groß ist; lassen Sie den Knoten weg, oder schreiben Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>A bend of %1 mm radius would fold the material on its inner side, which reaches %2 mm from the neutral plane. The radius must be larger than that: take a smaller angle, planes farther apart, or a neutral plane nearer to the inner side.</source>
+        <translation>Eine Biegung mit %1 mm Radius würde das Material an ihrer Innenseite falten, das bis %2 mm von der neutralen Ebene reicht. Der Radius muss größer sein: Nehmen Sie einen kleineren Winkel, weiter entfernte Ebenen oder eine neutrale Ebene näher an der Innenseite.</translation>
+    </message>
+    <message>
+        <source>A direction of no length is none; give x, y, z, or three numbers.</source>
+        <translation>Eine Richtung ohne Länge ist keine; x, y, z oder drei Zahlen angeben.</translation>
+    </message>
+    <message>
+        <source>The side runs along the axis, but must lie across it; choose another one.</source>
+        <translation>Die Seite verläuft entlang der Achse, muss aber quer zu ihr liegen; eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Only a bend has a radius and a plane that keeps its length; leave them out.</source>
+        <translation>Nur eine Biegung hat einen Radius und eine Ebene, die ihre Länge behält; beides weglassen.</translation>
+    </message>
+    <message>
+        <source>The plane that keeps its length is given twice, by its place and by a k factor; leave one of them out.</source>
+        <translation>Die Ebene, die ihre Länge behält, ist zweimal angegeben, durch ihren Ort und durch einen k-Faktor; eines davon weglassen.</translation>
+    </message>
+    <message>
+        <source>A k factor is between 0, inside, and 1, outside.</source>
+        <translation>Ein k-Faktor liegt zwischen 0, innen, und 1, außen.</translation>
+    </message>
+    <message>
+        <source>Angle and radius say where the bend ends; leave out the second plane.</source>
+        <translation>Winkel und Radius sagen, wo die Biegung endet; die zweite Ebene weglassen.</translation>
+    </message>
+    <message>
+        <source>The radius of a bend must be larger than 0.</source>
+        <translation>Der Radius einer Biegung muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Neutral plane</source>
+        <translation>Neutrale Ebene</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scheren</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts came back from being deformed; nothing was changed.</source>
+        <translation>%1 von %2 Teilen kamen verformt zurück; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; this is &quot;%3&quot;.</source>
+        <translation>%1 erwartet %2; dies ist „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 says nothing about what stands before it; put it behind the deformation that it is for.</source>
+        <translation>%1 sagt nichts über das, was davor steht; hinter die Verformung setzen, für die es gilt.</translation>
+    </message>
+    <message>
+        <source>No folder could be made in %1; make room there and try again.</source>
+        <translation>In %1 konnte kein Ordner angelegt werden; dort Platz schaffen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3, numbered from 0, and meshes have none.</source>
+        <translation>„%1“ hat keine Fläche %2; es hat %3, ab 0 gezählt, und Netze haben keine.</translation>
+    </message>
+    <message>
+        <source>Which part the faces %1 are of is not clear; put its name before them, as Lid:%1.</source>
+        <translation>Zu welchem Teil die Flächen %1 gehören, ist nicht klar; seinen Namen davorsetzen, etwa Deckel:%1.</translation>
+    </message>
+    <message>
+        <source>%1 parts that are deformed are called &quot;%2&quot;, not one; knead info --json lists the names and paths of all.</source>
+        <translation>%1 Teile, die verformt werden, heißen „%2“, nicht eines; knead info --json nennt Namen und Pfade aller.</translation>
+    </message>
+    <message>
+        <source>it has no surface to be deformed.</source>
+        <translation>es hat keine Oberfläche, die sich verformen ließe.</translation>
+    </message>
+    <message>
+        <source>There is no part or assembly &quot;%1&quot; in %2; knead info --json lists the names and paths of all.</source>
+        <translation>Es gibt kein Teil und keine Baugruppe „%1“ in %2; knead info --json nennt Namen und Pfade aller.</translation>
+    </message>
+    <message>
+        <source>The field has no nodes.</source>
+        <translation>Das Feld hat keine Knoten.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation is no number.</source>
+        <translation>Der Faktor einer Verformung ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Faces that stay where they are need a distance over which the deformation fades.</source>
+        <translation>Flächen, die bleiben, wo sie sind, brauchen einen Abstand, über den die Verformung ausläuft.</translation>
+    </message>
+    <message>
+        <source>A face that stays where it is has a corner that is no place.</source>
+        <translation>Eine Fläche, die bleibt, wo sie ist, hat eine Ecke, die kein Ort ist.</translation>
+    </message>
+    <message>
+        <source>The axis of a deformation has a coordinate that is no number.</source>
+        <translation>Die Achse einer Verformung hat eine Koordinate, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>A deformation by number has a value that is no number.</source>
+        <translation>Eine Verformung nach Zahlen hat einen Wert, der keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>The second plane of a deformation must lie behind the first one, along its axis.</source>
+        <translation>Die zweite Ebene einer Verformung muss entlang ihrer Achse hinter der ersten liegen.</translation>
+    </message>
+    <message>
+        <source>The side of a deformation must point across its axis.</source>
+        <translation>Die Seite einer Verformung muss quer zu ihrer Achse zeigen.</translation>
+    </message>
+    <message>
+        <source>A bend or a twist goes around ten times at most: take a smaller angle, or a larger radius.</source>
+        <translation>Eine Biegung oder Verdrehung geht höchstens zehnmal herum: einen kleineren Winkel oder einen größeren Radius nehmen.</translation>
+    </message>
+    <message>
+        <source>What stays of a deformation lies between its planes: from 0 at the first one to 1 at the second one.</source>
+        <translation>Was bei einer Verformung bleibt, liegt zwischen ihren Ebenen: von 0 an der ersten bis 1 an der zweiten.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation must be larger than 0.</source>
+        <translation>Der Faktor einer Verformung muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
+        <translation>Eine sanfte Streckung kann nicht auf weniger als 0,47 verkürzen: die Mitte würde sich falten. Einen größeren Faktor nehmen oder sie nicht sanft beginnen lassen.</translation>
+    </message>
+</context>
+<context>
+    <name>Deforming</name>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>Preview: deformed by %1</source>
+        <translation>Vorschau: mit %1 verformt</translation>
+    </message>
+    <message>
+        <source>The field turns material inside out near %1, %2, %3 mm. Take a smaller factor.</source>
+        <translation>Das Feld stülpt Material bei %1, %2, %3 mm um. Einen kleineren Faktor nehmen.</translation>
+    </message>
+    <message>
+        <source>Deformed by %1</source>
+        <translation>Mit %1 verformt</translation>
+    </message>
+    <message>
+        <source>Deformed by %1, times %2</source>
+        <translation>Mit %1 verformt, mal %2</translation>
+    </message>
+    <message>
+        <source>Deforming by %1</source>
+        <translation>Mit %1 verformen</translation>
+    </message>
+    <message>
+        <source>The second plane must lie behind the first one, along the axis.</source>
+        <translation>Die zweite Ebene muss entlang der Achse hinter der ersten liegen.</translation>
+    </message>
+    <message>
+        <source>Select a flat face first, whose normal is to be the axis.</source>
+        <translation>Zuerst eine ebene Fläche auswählen, deren Normale die Achse sein soll.</translation>
+    </message>
+    <message>
+        <source>The bend is tighter than the material allows, which would fold: at least a radius of %1, or at most %2 between these planes.</source>
+        <translation>Die Biegung ist enger, als das Material erlaubt, das sich falten würde: mindestens ein Radius von %1, oder höchstens %2 zwischen diesen Ebenen.</translation>
+    </message>
+    <message>
+        <source>Bent by %1</source>
+        <translation>Um %1 gebogen</translation>
+    </message>
+    <message>
+        <source>Twisted by %1</source>
+        <translation>Um %1 verdreht</translation>
+    </message>
+    <message>
+        <source>Tapered to %1</source>
+        <translation>Auf %1 verjüngt</translation>
+    </message>
+    <message>
+        <source>Stretched to %1</source>
+        <translation>Auf %1 gestreckt</translation>
+    </message>
+    <message>
+        <source>Sheared by %1</source>
+        <translation>Um %1 geschert</translation>
+    </message>
+    <message>
+        <source>Scaled to %1</source>
+        <translation>Auf %1 skaliert</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Twisting</source>
+        <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Tapering</source>
+        <translation>Verjüngen</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Shearing</source>
+        <translation>Scheren</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Skalieren</translation>
     </message>
 </context>
 <context>
@@ -1711,6 +2125,22 @@
         <source>there is nothing to export.</source>
         <translation>es gibt nichts zu exportieren.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot;: its faces could not be divided at the planes of the deformation; each is one surface across them.</source>
+        <translation>„%1“: Seine Flächen ließen sich an den Ebenen der Verformung nicht teilen; jede ist dort eine einzige Fläche über sie hinweg.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
+        <translation>„%1“: 1 Fläche wurde an den Ebenen der Verformung geteilt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces were divided at the planes of the deformation.</source>
+        <translation>„%1“: %2 Flächen wurden an den Ebenen der Verformung geteilt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
+        <translation>„%1“: Alle Verformungen wurden in einem Schritt ausgeführt, über die Ebenen einzelner hinweg.</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1820,6 +2250,10 @@
     <message>
         <source>Not everything in %1 is sound; the export report says what is not.</source>
         <translation>Nicht alles in %1 ist einwandfrei; der Exportbericht sagt, was nicht.</translation>
+    </message>
+    <message>
+        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
+        <translation>Nicht alles, was die Verformung ergab, ist einwandfrei; der Exportbericht sagt, was nicht. Rückgängig führt zum Teil zurück, wie es war.</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2389,372 @@
     <message>
         <source>Exported parts</source>
         <translation>Exportierte Teile</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>on face %1, at %2</source>
+        <translation>auf Fläche %1, bei %2</translation>
+    </message>
+    <message>
+        <source>The nodes of the field span %1 mm, the parts %2 mm: the numbers seem to be %3. Choose &quot;%4&quot; as the unit of the field.</source>
+        <translation>Die Knoten des Feldes umspannen %1 mm, die Teile %2 mm: die Zahlen scheinen %3 zu sein. Wählen Sie „%4“ als Einheit des Feldes.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but lies elsewhere: its middle is at %1, theirs at %2. Move the parts there, or write the field where they are.</source>
+        <translation>Das Feld hat die Größe der Teile, liegt aber woanders: seine Mitte ist bei %1, ihre bei %2. Bewegen Sie die Teile dorthin, oder schreiben Sie das Feld, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but is turned: it spans %1 mm, they span %2 mm. Turn the parts, or write the field with the axes that they have.</source>
+        <translation>Das Feld hat die Größe der Teile, ist aber gedreht: es umspannt %1 mm, sie umspannen %2 mm. Drehen Sie die Teile, oder schreiben Sie das Feld mit ihren Achsen.</translation>
+    </message>
+    <message>
+        <source>The field is not of these parts: %1 % of their surface lies far from all of its nodes, at most %2 mm (%3). The field spans %4 mm, the parts %5 mm.</source>
+        <translation>Das Feld gehört nicht zu diesen Teilen: %1 % ihrer Oberfläche liegt weit von allen seinen Knoten, höchstens %2 mm (%3). Das Feld umspannt %4 mm, die Teile %5 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface has no nodes of the field near it; there the field is continued. The farthest place lies %2 mm from a node, %3.</source>
+        <translation>%1 % der Oberfläche hat keine Knoten des Feldes in der Nähe; dort wird das Feld fortgesetzt. Der fernste Ort liegt %2 mm von einem Knoten, %3.</translation>
+    </message>
+    <message>
+        <source>The field folds the material %1: its volume there would be %2 times what it was. Take a smaller factor, or keep faces there as they are.</source>
+        <translation>Das Feld faltet das Material %1: sein Volumen wäre dort das %2-Fache von vorher. Nehmen Sie einen kleineren Faktor, oder lassen Sie Flächen dort, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>%1 % of the nodes move otherwise than those beside them, most at %2, by %3 mm: two sides of a slit, or noise. A smooth field passes between them.</source>
+        <translation>%1 % der Knoten bewegen sich anders als die neben ihnen, am meisten bei %2, um %3 mm: zwei Seiten eines Schlitzes, oder Rauschen. Ein glattes Feld geht zwischen ihnen durch.</translation>
+    </message>
+    <message>
+        <source>The scan was moved by (%1, %2, %3) mm and turned by %4 degrees, so that it lies on the part.</source>
+        <translation>Der Scan wurde um (%1, %2, %3) mm verschoben und um %4 Grad gedreht, sodass er auf dem Teil liegt.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 points of the part the scan says nothing to go by, as where it has a hole; the field is continued there. The farthest lies %3 mm from the scan, at %4.</source>
+        <translation>An %1 von %2 Punkten des Teils sagt der Scan nichts Brauchbares, etwa wo er ein Loch hat; dort wird das Feld fortgesetzt. Der fernste liegt %3 mm vom Scan, bei %4.</translation>
+    </message>
+    <message>
+        <source>The scan or the part has no triangles.</source>
+        <translation>Der Scan oder das Teil hat keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The scan has a corner that is no place.</source>
+        <translation>Der Scan hat eine Ecke, die kein Ort ist.</translation>
+    </message>
+    <message>
+        <source>The triangles of the scan have no area.</source>
+        <translation>Die Dreiecke des Scans haben keinen Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>The scan does not lie on the part: only %1 % of it does, however it is turned. Look at its unit, or lay it on the part and say that it stays in place.</source>
+        <translation>Der Scan liegt nicht auf dem Teil: nur %1 % von ihm, wie man ihn auch dreht. Prüfen Sie seine Einheit, oder legen Sie ihn auf das Teil und sagen Sie, dass er dort bleibt.</translation>
+    </message>
+    <message>
+        <source>CalculiX results</source>
+        <translation>CalculiX-Ergebnisse</translation>
+    </message>
+    <message>
+        <source>VTK</source>
+        <translation>VTK</translation>
+    </message>
+    <message>
+        <source>Gmsh</source>
+        <translation>Gmsh</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Abaqus report</source>
+        <translation>Abaqus-Bericht</translation>
+    </message>
+    <message>
+        <source>Abaqus or CalculiX input</source>
+        <translation>Eingabe für Abaqus oder CalculiX</translation>
+    </message>
+    <message>
+        <source>The cracks of &quot;%1&quot; could not be made into surfaces: values at nodes beside them may be those of the other side.</source>
+        <translation>Aus den Rissen von „%1“ ließen sich keine Flächen machen: Werte an Knoten daneben können die der anderen Seite sein.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes lie outside of all bodies and have no values; the farthest is %3 away, at (%4, %5, %6). Check the unit of the mesh, and whether its nodes lie in the parts as they were opened or as they are now.</source>
+        <translation>%1 von %2 Knoten liegen außerhalb aller Körper und haben keine Werte; der fernste ist %3 entfernt, bei (%4, %5, %6). Prüfen Sie die Einheit des Netzes, und ob seine Knoten in den Teilen liegen, wie sie geöffnet wurden oder wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, there is no number %2; choose another one.</source>
+        <translation>sie hat %1 Zeitschritte, einen mit der Nummer %2 gibt es nicht; einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>it has no vectors at nodes; write the displacements of the nodes into it, too.</source>
+        <translation>sie hat keine Vektoren an Knoten; die Verschiebungen der Knoten mit hineinschreiben.</translation>
+    </message>
+    <message>
+        <source>it has no vectors called %1 at its nodes; it has %2.</source>
+        <translation>sie hat keine Vektoren namens %1 an ihren Knoten; sie hat %2.</translation>
+    </message>
+    <message>
+        <source>several vectors could be the displacements: %1; say which.</source>
+        <translation>mehrere Vektoren könnten die Verschiebungen sein: %1; sagen, welche.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 values for %3 nodes; write the file again with the program it comes from.</source>
+        <translation>%1 hat %2 Werte für %3 Knoten; die Datei mit dem Programm, von dem sie kommt, noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>an element has node %1, which is missing; write the file again.</source>
+        <translation>ein Element hat den Knoten %1, der fehlt; die Datei noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>the file is damaged; write it again with the program it comes from.</source>
+        <translation>die Datei ist beschädigt; sie mit dem Programm, von dem sie kommt, noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>this is no file of displacements; they are read from %1 files.</source>
+        <translation>das ist keine Datei mit Verschiebungen; sie werden aus %1-Dateien gelesen.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; write the results with the mesh.</source>
+        <translation>sie hat keine Knoten; die Ergebnisse mit dem Netz schreiben.</translation>
+    </message>
+    <message>
+        <source>The file has %1 time steps; the last one was read (%2).</source>
+        <translation>Die Datei hat %1 Zeitschritte; der letzte wurde gelesen (%2).</translation>
+    </message>
+    <message>
+        <source>no node in it has a displacement; write the displacements into it, too.</source>
+        <translation>kein Knoten darin hat eine Verschiebung; die Verschiebungen mit hineinschreiben.</translation>
+    </message>
+    <message>
+        <source>%1 has another number of values than there are nodes; nothing was written.</source>
+        <translation>%1 hat eine andere Zahl von Werten, als es Knoten gibt; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>fields at nodes are written to .vtu and .csv files.</source>
+        <translation>Felder an Knoten werden in .vtu- und .csv-Dateien geschrieben.</translation>
+    </message>
+    <message>
+        <source>it is a Gmsh file of version %1, which is not read; save it in version 4.1 or 2.2.</source>
+        <translation>sie ist eine Gmsh-Datei der Version %1, die nicht gelesen wird; sie in Version 4.1 oder 2.2 speichern.</translation>
+    </message>
+    <message>
+        <source>its bytes are in the order of another kind of computer; save it as text (ASCII).</source>
+        <translation>ihre Bytes stehen in der Reihenfolge einer anderen Art von Rechner; sie als Text (ASCII) speichern.</translation>
+    </message>
+    <message>
+        <source>it has elements of Gmsh&apos;s type %1, which is not known; leave them out.</source>
+        <translation>sie hat Elemente vom Gmsh-Typ %1, der nicht bekannt ist; sie weglassen.</translation>
+    </message>
+    <message>
+        <source>its nodes stand in other files that it includes; give the file with *NODE.</source>
+        <translation>ihre Knoten stehen in anderen Dateien, die sie einbindet; die Datei mit *NODE angeben.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; a mesh has them behind *NODE.</source>
+        <translation>sie hat keine Knoten; ein Netz hat sie hinter *NODE.</translation>
+    </message>
+    <message>
+        <source>%1 elements are of kinds that are not read and were left out.</source>
+        <translation>%1 Elemente sind von Arten, die nicht gelesen werden, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>this is an input of Abaqus or CalculiX, without displacements; give the results (.frd).</source>
+        <translation>das ist eine Eingabe für Abaqus oder CalculiX ohne Verschiebungen; die Ergebnisse (.frd) angeben.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes have no displacement and were left out.</source>
+        <translation>%1 von %2 Knoten haben keine Verschiebung und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 nodes lie where another one does; each such place has the mean of their displacements.</source>
+        <translation>%1 Knoten liegen, wo schon ein anderer liegt; jeder solche Ort hat das Mittel ihrer Verschiebungen.</translation>
+    </message>
+    <message>
+        <source>the collection names no files.</source>
+        <translation>die Sammlung nennt keine Dateien.</translation>
+    </message>
+    <message>
+        <source>the report has no coordinates; write COORD of the nodes into it beside U.</source>
+        <translation>der Bericht hat keine Koordinaten; COORD der Knoten neben U hineinschreiben.</translation>
+    </message>
+    <message>
+        <source>the report has no table with values of nodes.</source>
+        <translation>der Bericht hat keine Tabelle mit Werten von Knoten.</translation>
+    </message>
+    <message>
+        <source>%1 lines hold no numbers where they should and were left out.</source>
+        <translation>%1 Zeilen haben keine Zahlen, wo welche stehen sollten, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>there are no lines of numbers in it; a table has a line per node with X, Y, Z, DX, DY, DZ.</source>
+        <translation>es sind keine Zeilen mit Zahlen darin; eine Tabelle hat eine Zeile je Knoten mit X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>it cannot be told what its %1 columns are; name them in the first line: X, Y, Z, DX, DY, DZ.</source>
+        <translation>was ihre %1 Spalten sind, ist nicht zu erkennen; sie in der ersten Zeile nennen: X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off at line %1; write it again with the program it comes from.</source>
+        <translation>die Datei ist in Zeile %1 beschädigt oder abgeschnitten; sie mit dem Programm, von dem sie kommt, noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>it holds texts as bytes, which are not read; save it as text (ASCII).</source>
+        <translation>sie enthält Texte als Bytes, die nicht gelesen werden; sie als Text (ASCII) speichern.</translation>
+    </message>
+    <message>
+        <source>this VTK file is of the kind %1, which is not read; save it as an unstructured grid (.vtu).</source>
+        <translation>diese VTK-Datei ist von der Art %1, die nicht gelesen wird; sie als unstrukturiertes Gitter (.vtu) speichern.</translation>
+    </message>
+    <message>
+        <source>its numbers are compressed by %1, which is not read; save it with zlib or without compression.</source>
+        <translation>ihre Zahlen sind mit %1 gepackt, was nicht gelesen wird; sie mit zlib oder ungepackt speichern.</translation>
+    </message>
+    <message>
+        <source>the file asks for more memory than there is; write fewer steps and values into it.</source>
+        <translation>die Datei verlangt mehr Speicher, als da ist; weniger Schritte und Werte hineinschreiben.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; the file is damaged or far too large.</source>
+        <translation>Es wurde nichts gelesen; die Datei ist beschädigt oder viel zu groß.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; write the file again, best as .vtu.</source>
+        <translation>Es wurde nichts gelesen; die Datei noch einmal schreiben, am besten als .vtu.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was read; try again.</source>
+        <translation>das Ergebnis des Lesers ist beschädigt (%1). Es wurde nichts gelesen; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Values at nodes need a mesh and a file to write: give --nodes and the output.</source>
+        <translation>Werte an Knoten brauchen ein Netz und eine Datei zum Schreiben: Geben Sie --nodes und die Ausgabe an.</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;%1&quot;; known are %2.</source>
+        <translation>Es gibt kein Feld „%1“; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>values at nodes are written to .vtu, .csv and .inp files.</source>
+        <translation>Werte an Knoten werden in Dateien .vtu, .csv und .inp geschrieben.</translation>
+    </message>
+    <message>
+        <source>no node lies in the bodies.</source>
+        <translation>Kein Knoten liegt in den Körpern.</translation>
+    </message>
+    <message>
+        <source>there is nothing to write: the mesh has no solid elements for stress, and no displaced nodes were asked for.</source>
+        <translation>Es gibt nichts zu schreiben: Das Netz hat keine Volumenelemente für Spannung, und verschobene Knoten wurden nicht verlangt.</translation>
+    </message>
+    <message>
+        <source>The coordinates are those in the report; where Abaqus computed with large displacements they are the moved ones: take those of the first frame then.</source>
+        <translation>Die Koordinaten sind die des Berichts; hat Abaqus mit großen Verschiebungen gerechnet, sind es die verschobenen: dann die des ersten Frames nehmen.</translation>
+    </message>
+    <message>
+        <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
+        <translation>ein Knoten hat eine Koordinate, die keine Zahl oder viel zu groß ist; die Datei noch einmal schreiben.</translation>
+    </message>
+</context>
+<context>
+    <name>FieldPage</name>
+    <message>
+        <source>Choose faces</source>
+        <translation>Flächen wählen</translation>
+    </message>
+    <message>
+        <source>Keep none</source>
+        <translation>Keine behalten</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Nothing moves along this axis</source>
+        <translation>Entlang dieser Achse bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Faces that stay</source>
+        <translation>Flächen, die bleiben</translation>
+    </message>
+    <message>
+        <source>Fades within</source>
+        <translation>Klingt ab auf</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Exaggerated</source>
+        <translation>Überhöht</translation>
+    </message>
+    <message>
+        <source>Largest way</source>
+        <translation>Größter Weg</translation>
+    </message>
+    <message>
+        <source>Click faces in the view that are to stay exactly where they are, then press this again</source>
+        <translation>In der Ansicht Flächen anklicken, die genau bleiben sollen, wo sie sind, dann dies nochmals drücken</translation>
+    </message>
+    <message>
+        <source>Of the displacements; -1 goes the other way, as one compensates</source>
+        <translation>Der Verschiebungen; -1 geht in die andere Richtung, wie man kompensiert</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>nach dem Teil</translation>
+    </message>
+    <message>
+        <source>From the faces that stay to where the whole field holds</source>
+        <translation>Von den Flächen, die bleiben, bis dorthin, wo das ganze Feld gilt</translation>
+    </message>
+    <message>
+        <source>Only of what is seen before it is applied</source>
+        <translation>Nur dessen, was man vor dem Anwenden sieht</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file</source>
+        <translation>Der Längen in der Datei</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 nodes</source>
+        <translation>%1: %2, %3 Knoten</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Hinweise</translation>
     </message>
 </context>
 <context>
@@ -4905,6 +5705,137 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>NumberPage</name>
+    <message>
+        <source>Begins and ends gently</source>
+        <translation>Beginnt und endet sanft</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>The selected ones</source>
+        <translation>Die ausgewählten</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>The longest side</source>
+        <translation>Die längste Seite</translation>
+    </message>
+    <message>
+        <source>Normal of the selected face</source>
+        <translation>Normale der ausgewählten Fläche</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>First plane</source>
+        <translation>Erste Ebene</translation>
+    </message>
+    <message>
+        <source>Where it begins, along the axis from the origin</source>
+        <translation>Wo es beginnt, entlang der Achse vom Ursprung aus</translation>
+    </message>
+    <message>
+        <source>Second plane</source>
+        <translation>Zweite Ebene</translation>
+    </message>
+    <message>
+        <source>Where it ends, along the axis from the origin</source>
+        <translation>Wo es endet, entlang der Achse vom Ursprung aus</translation>
+    </message>
+    <message>
+        <source>Toward</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Of the second plane against the first one; below 0 the other way</source>
+        <translation>Der zweiten Ebene gegen die erste; unter 0 andersherum</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Of the line that keeps its length; the angle follows</source>
+        <translation>Der Linie, die ihre Länge behält; der Winkel folgt</translation>
+    </message>
+    <message>
+        <source>Neutral line</source>
+        <translation>Neutrale Faser</translation>
+    </message>
+    <message>
+        <source>What keeps its length: 0 at the inner side, 1 at the outer one. Sheet metal has some 0.33 to 0.5, its k-factor</source>
+        <translation>Was seine Länge behält: 0 an der Innenseite, 1 an der Außenseite. Blech hat etwa 0,33 bis 0,5, seinen k-Faktor</translation>
+    </message>
+    <message>
+        <source>Neutral place</source>
+        <translation>Neutrale Stelle</translation>
+    </message>
+    <message>
+        <source>The same as a place along the side that it bends toward</source>
+        <translation>Dasselbe als Stelle entlang der Seite, nach der es sich biegt</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Of the second plane; 1 changes nothing</source>
+        <translation>Der zweiten Ebene; 1 ändert nichts</translation>
+    </message>
+    <message>
+        <source>New length</source>
+        <translation>Neue Länge</translation>
+    </message>
+    <message>
+        <source>Between the planes afterwards; the factor follows</source>
+        <translation>Danach zwischen den Ebenen; der Faktor folgt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Of the second plane, sideways</source>
+        <translation>Der zweiten Ebene, seitwärts</translation>
+    </message>
+    <message>
+        <source>The first plane</source>
+        <translation>Die erste Ebene</translation>
+    </message>
+    <message>
+        <source>The middle</source>
+        <translation>Die Mitte</translation>
+    </message>
+    <message>
+        <source>The second plane</source>
+        <translation>Die zweite Ebene</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Bleibt, wo es ist</translation>
+    </message>
+    <message>
+        <source>Without a crease at the planes; in the middle there is then more of it</source>
+        <translation>Ohne Knick an den Ebenen; in der Mitte ist es dafür mehr</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4917,6 +5848,49 @@ Simuliert: %2, Schritt %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung starten, um ohne den Treiber aufzuzeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>OtherPartFeature</name>
+    <message>
+        <source>%1 of %2 faces were found again.</source>
+        <translation>%1 von %2 Flächen wurden wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>Moved: %1 by %2 mm</source>
+        <translation>Verschoben: %1 um %2 mm</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Auf ein anderes Teil anwenden</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Teile (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the faces again on %1</source>
+        <translation>Die Flächen werden auf %1 wiedergefunden</translation>
+    </message>
+    <message>
+        <source>This is what was found again on %1:</source>
+        <translation>Das wurde auf %1 wiedergefunden:</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Apply to %1</source>
+        <translation>Auf %1 anwenden</translation>
+    </message>
+    <message>
+        <source>Play carries out on %1 what was done before.</source>
+        <translation>Abspielen führt auf %1 aus, was zuvor getan wurde.</translation>
     </message>
 </context>
 <context>
@@ -6467,6 +7441,74 @@ Simuliert: %2, Schritt %3
         <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
         <translation>Die Sonden dieses Rezepts liest „knead run“. Sonden auf das Teil setzen, um sie hier abzulesen.</translation>
     </message>
+    <message>
+        <source>&quot;deform&quot; names the body &quot;%1&quot;, which the part does not have.</source>
+        <translation>„deform“ nennt den Körper „%1“, den das Teil nicht hat.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces; name the body that they are of.</source>
+        <translation>„deform“ lässt Flächen, wo sie sind; nennen Sie den Körper, zu dem sie gehören.</translation>
+    </message>
+    <message>
+        <source>Fields in files cannot be read here; deform by numbers, or use &quot;knead morph&quot;.</source>
+        <translation>Felder in Dateien können hier nicht gelesen werden; verformen Sie mit Zahlen, oder nehmen Sie „knead morph“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; did not come out sound when it was deformed; look at it closely.</source>
+        <translation>„%1“ kam nicht einwandfrei aus der Verformung; sehen Sie es genau an.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind %1.</source>
+        <translation>gehört nicht zur Art %1.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg, angle_rad and radius_mm.</source>
+        <translation>muss genau einen der Schlüssel angle_deg, angle_rad und radius_mm haben.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg and angle_rad.</source>
+        <translation>muss genau einen der Schlüssel angle_deg und angle_rad haben.</translation>
+    </message>
+    <message>
+        <source>must point across the axis.</source>
+        <translation>muss quer zur Achse zeigen.</translation>
+    </message>
+    <message>
+        <source>must be larger than from_mm.</source>
+        <translation>muss größer als from_mm sein.</translation>
+    </message>
+    <message>
+        <source>cannot be: %1</source>
+        <translation>kann nicht sein: %1</translation>
+    </message>
+    <message>
+        <source>must have both of the keys kept_faces and fade_mm, or none.</source>
+        <translation>muss beide Schlüssel kept_faces und fade_mm haben oder keinen.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
+        <translation>ihre Teile wurden mit Zahlen oder einem Feld verformt, und nur ein Projekt bewahrt sie so; zuerst das Projekt speichern.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
+        <translation>Die Teile wurden mit Zahlen oder einem Feld verformt: das Rezept nimmt sie aus dem Projekt, wie sie dann waren.</translation>
+    </message>
+    <message>
+        <source>parts beside the first that were placed cannot be written.</source>
+        <translation>Teile neben dem ersten, die platziert wurden, lassen sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>pictures to write cannot be written into a recipe.</source>
+        <translation>Bilder, die zu schreiben sind, lassen sich nicht in ein Rezept schreiben.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps face %1 of &quot;%2&quot;, which has %3; they are numbered from 0.</source>
+        <translation>„deform“ hält Fläche %1 von „%2“ fest, das %3 hat; sie sind von 0 an nummeriert.</translation>
+    </message>
+    <message>
+        <source>is so small that the bend goes around more than ten times; take a larger one.</source>
+        <translation>ist so klein, dass die Biegung mehr als zehnmal herumgeht; einen größeren nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -7430,6 +8472,21 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Session field</name>
+    <message>
+        <source>&quot;%1&quot; is cracked, cut or in pieces there, and a field cannot tear: it says what became of the largest piece, as if it were whole.</source>
+        <translation>„%1“ ist dort gerissen, geschnitten oder in Stücken, und ein Feld kann nicht reißen: Es sagt, was aus dem größten Stück wurde, als wäre es ganz.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead.</source>
+        <translation>das ist kein Projekt von Knead.</translation>
+    </message>
+    <message>
+        <source>nothing has moved at its entry %1: there is no field.</source>
+        <translation>bei seinem Eintrag %1 hat sich nichts bewegt: Es gibt kein Feld.</translation>
+    </message>
+</context>
+<context>
     <name>Shortcuts</name>
     <message>
         <source>drives the selected tool</source>
@@ -7536,6 +8593,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Zuerst in die Gegenwart zurückkehren: Esc.</translation>
     </message>
 </context>
 <context>
@@ -7867,6 +8928,26 @@ Simuliert: %2, Schritt %3
         <source>done</source>
         <translation>fertig</translation>
     </message>
+    <message>
+        <source>dividing faces</source>
+        <translation>Flächen werden geteilt</translation>
+    </message>
+    <message>
+        <source>fitting the field</source>
+        <translation>das Feld wird angepasst</translation>
+    </message>
+    <message>
+        <source>comparing the field with the parts</source>
+        <translation>das Feld wird mit den Teilen verglichen</translation>
+    </message>
+    <message>
+        <source>placing the scan</source>
+        <translation>der Scan wird angelegt</translation>
+    </message>
+    <message>
+        <source>comparing the scan with the part</source>
+        <translation>der Scan wird mit dem Teil verglichen</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -8052,6 +9133,37 @@ Simuliert: %2, Schritt %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>die Datei enthält nur Kurven und Punkte, keinen Körper und keine Fläche; das Teil als Körper exportieren.</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>must name a face; leave the part out where none counts.</source>
+        <translation>muss eine Fläche nennen; das Teil weglassen, wo keine zählt.</translation>
+    </message>
+    <message>
+        <source>must name a part; leave the key out where all faces count.</source>
+        <translation>muss ein Teil nennen; den Schlüssel weglassen, wo alle Flächen zählen.</translation>
+    </message>
+    <message>
+        <source>must be the name of a file in the folder of the round, without folders</source>
+        <translation>muss der Name einer Datei im Ordner der Runde sein, ohne Ordner</translation>
+    </message>
+    <message>
+        <source>has the name of another one; all of them go into one folder.</source>
+        <translation>heißt wie eine andere; alle kommen in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys recipe and command.</source>
+        <translation>muss genau einen der Schlüssel recipe und command haben.</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;field&quot;: the file that the command writes.</source>
+        <translation>muss den Schlüssel „field“ haben: die Datei, die der Befehl schreibt.</translation>
+    </message>
+    <message>
+        <source>belongs to a command; a recipe needs none.</source>
+        <translation>gehört zu einem Befehl; ein Rezept braucht das nicht.</translation>
     </message>
 </context>
 <context>
@@ -8371,6 +9483,42 @@ Simuliert: %2, Schritt %3
     <message>
         <source>material, stiffness, rubber, steel</source>
         <translation>Werkstoff, Material, Steifigkeit, Gummi, Stahl</translation>
+    </message>
+    <message>
+        <source>revision, version, transfer, repeat, other part</source>
+        <translation>Revision, Version, übertragen, wiederholen, anderes Teil</translation>
+    </message>
+    <message>
+        <source>flex, morph, warp, deformer, free form, global modeling</source>
+        <translation>flexen, morphen, verziehen, Freiform, umformen</translation>
+    </message>
+    <message>
+        <source>flex, curl, arc, curve, sheet metal, k-factor, tube, roll</source>
+        <translation>krümmen, Bogen, Kurve, Blech, k-Faktor, Rohr, rollen, abkanten</translation>
+    </message>
+    <message>
+        <source>wring, flex, screw, turn, helix, torsion</source>
+        <translation>wringen, Schraube, drehen, Helix, Torsion, tordieren</translation>
+    </message>
+    <message>
+        <source>flex, cone, draft, narrow, widen</source>
+        <translation>Kegel, Konus, Formschräge, schmaler, breiter</translation>
+    </message>
+    <message>
+        <source>flex, lengthen, shorten, elongate, compress</source>
+        <translation>verlängern, verkürzen, dehnen, stauchen</translation>
+    </message>
+    <message>
+        <source>offset, skew, slant, joggle, sideways</source>
+        <translation>Versatz, schräg, kröpfen, seitwärts</translation>
+    </message>
+    <message>
+        <source>enlarge, shrink, size, grow</source>
+        <translation>vergrößern, verkleinern, Größe, wachsen</translation>
+    </message>
+    <message>
+        <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
+        <translation>Verschiebungen, FEM, CalculiX, Abaqus, Verzug, Rückfederung, Kompensation, Morphing, Feld, vtu, frd</translation>
     </message>
 </context>
 <context>
@@ -8754,6 +9902,109 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Strg+Z nimmt zurück, was immer getan wurde. Strg+K findet jeden Befehl, F1 öffnet das Handbuch, und dieser Rundgang steht im Menü Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>Transfer</name>
+    <message>
+        <source>The recipe</source>
+        <translation>Das Rezept</translation>
+    </message>
+    <message>
+        <source>Left out: %1. %2</source>
+        <translation>Weggelassen: %1. %2</translation>
+    </message>
+    <message>
+        <source>what is said of the body &quot;%1&quot;</source>
+        <translation>was vom Körper „%1“ gesagt ist</translation>
+    </message>
+    <message>
+        <source>The other part has no such body.</source>
+        <translation>Das andere Teil hat keinen solchen Körper.</translation>
+    </message>
+    <message>
+        <source>None of its faces was found again.</source>
+        <translation>Keine seiner Flächen wurde wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>Of the faces of %1, %2 were not found again.</source>
+        <translation>Nicht wiedergefundene Flächen, %1: %2</translation>
+    </message>
+    <message>
+        <source>It names objects of a body that had been filled anew by then, which another part does not have.</source>
+        <translation>Es nennt Objekte eines Körpers, der bis dahin neu gefüllt worden war; ein anderes Teil hat sie nicht.</translation>
+    </message>
+    <message>
+        <source>There is no material in its place.</source>
+        <translation>An seiner Stelle ist kein Material.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot;</source>
+        <translation>das Werkzeug „%1“</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is left out: it is an imported part, which has no mirror image.</source>
+        <translation>Das Werkzeug „%1“ fällt weg: Es ist ein importiertes Teil, das kein Spiegelbild hat.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; keeps its size: it is an imported part.</source>
+        <translation>Das Werkzeug „%1“ behält seine Größe: Es ist ein importiertes Teil.</translation>
+    </message>
+    <message>
+        <source>One of the parts is not closed: there is nothing to carry over.</source>
+        <translation>Eines der Teile ist nicht geschlossen: Es gibt nichts zu übertragen.</translation>
+    </message>
+    <message>
+        <source>none of the faces was found again on it. Is it another part, or a mirrored one?</source>
+        <translation>darauf wurde keine der Flächen wiedergefunden. Ist es ein anderes Teil, oder ein gespiegeltes?</translation>
+    </message>
+    <message>
+        <source>a change of material</source>
+        <translation>eine Änderung des Materials</translation>
+    </message>
+    <message>
+        <source>a relaxation</source>
+        <translation>eine Entspannung</translation>
+    </message>
+    <message>
+        <source>a cut</source>
+        <translation>ein Schnitt</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>die Einspannung „%1“</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>die Last „%1“</translation>
+    </message>
+    <message>
+        <source>The floor is left out: its mirror image would be no floor.</source>
+        <translation>Der Boden fällt weg: Sein Spiegelbild wäre keiner.</translation>
+    </message>
+    <message>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>die Sonde „%1“</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>der Bereich „%1“</translation>
+    </message>
+    <message>
+        <source>--mirror &quot;%1&quot; is no mirror; say x, y or z, across which it is mirrored, or the normal of a plane as 1,1,0.</source>
+        <translation>--mirror „%1“ ist kein Spiegel; x, y oder z nennen, worüber gespiegelt wird, oder die Normale einer Ebene wie 1,1,0.</translation>
+    </message>
+    <message>
+        <source>--scale &quot;%1&quot; is no scale; say auto or a number from 0.001 to 1000.</source>
+        <translation>--scale „%1“ ist kein Maßstab; auto oder eine Zahl von 0.001 bis 1000 nennen.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead. A recipe goes to another part with knead run --set part.file=...</source>
+        <translation>das ist kein Projekt von Knead. Auf ein anderes Teil kommt ein Rezept mit knead run --set part.file=...</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>das Projekt hat keinen Eintrag %1; der letzte ist %2.</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,78 @@
         <source>Back to the first page with nothing open; what is not saved is asked about</source>
         <translation>Retour à la première page, sans rien d&apos;ouvert ; ce qui n&apos;est pas enregistré fait l&apos;objet d&apos;une question</translation>
     </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Déformer par des nombres</translation>
+    </message>
+    <message>
+        <source>Bend, twist, taper, stretch, shear or scale the part by numbers between two planes</source>
+        <translation>Courber, vriller, effiler, étirer, cisailler ou mettre à l&apos;échelle la pièce par des nombres entre deux plans</translation>
+    </message>
+    <message>
+        <source>&amp;Deform by a field...</source>
+        <translation>&amp;Déformer par un champ...</translation>
+    </message>
+    <message>
+        <source>Move the part by displacements that another program computed, or against them</source>
+        <translation>Déplacer la pièce selon des déplacements calculés par un autre programme, ou à leur encontre</translation>
+    </message>
+    <message>
+        <source>Bend...</source>
+        <translation>Courber...</translation>
+    </message>
+    <message>
+        <source>Bend the part into an arc by an angle or a radius</source>
+        <translation>Courber la pièce en arc selon un angle ou un rayon</translation>
+    </message>
+    <message>
+        <source>Twist...</source>
+        <translation>Vriller...</translation>
+    </message>
+    <message>
+        <source>Twist the part about an axis by an angle</source>
+        <translation>Vriller la pièce autour d&apos;un axe selon un angle</translation>
+    </message>
+    <message>
+        <source>Taper...</source>
+        <translation>Effiler...</translation>
+    </message>
+    <message>
+        <source>Make the part thicker or thinner toward one end</source>
+        <translation>Épaissir ou amincir la pièce vers une extrémité</translation>
+    </message>
+    <message>
+        <source>Stretch...</source>
+        <translation>Étirer...</translation>
+    </message>
+    <message>
+        <source>Make the part longer or shorter between two planes</source>
+        <translation>Allonger ou raccourcir la pièce entre deux plans</translation>
+    </message>
+    <message>
+        <source>Shear...</source>
+        <translation>Cisailler...</translation>
+    </message>
+    <message>
+        <source>Move one end of the part sideways</source>
+        <translation>Déplacer une extrémité de la pièce de côté</translation>
+    </message>
+    <message>
+        <source>Scale between planes...</source>
+        <translation>Mettre à l&apos;échelle entre des plans...</translation>
+    </message>
+    <message>
+        <source>Make one end of the part larger or smaller in all directions</source>
+        <translation>Agrandir ou réduire une extrémité de la pièce dans toutes les directions</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y to another part...</source>
+        <translation>Appli&amp;quer à une autre pièce...</translation>
+    </message>
+    <message>
+        <source>Do what was done here to another part, such as the next revision of this one</source>
+        <translation>Faire à une autre pièce, comme la prochaine révision de celle-ci, ce qui a été fait ici</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -793,6 +865,29 @@
     </message>
 </context>
 <context>
+    <name>Compensation</name>
+    <message>
+        <source>&quot;faces&quot; names face %1 of %2, which has %3; they are numbered from 0.</source>
+        <translation>« faces » nomme la face %1 de %2, qui en a %3 ; elles sont numérotées à partir de 0.</translation>
+    </message>
+    <message>
+        <source>&quot;faces&quot; names %1, which is no part of the target; knead info shows their names.</source>
+        <translation>« faces » nomme %1, qui n&apos;est pas une pièce de la cible ; knead info montre leurs noms.</translation>
+    </message>
+    <message>
+        <source>Points every %1 would be more than %2; choose a larger &quot;spacing_mm&quot;.</source>
+        <translation>Des points tous les %1 seraient plus de %2 ; choisissez un « spacing_mm » plus grand.</translation>
+    </message>
+    <message>
+        <source>The target has no surface; name another part.</source>
+        <translation>La cible n&apos;a pas de surface ; nommez une autre pièce.</translation>
+    </message>
+    <message>
+        <source>What came out of round %1 has places that are no numbers; look at what its command wrote.</source>
+        <translation>Le résultat de la passe %1 comporte des points qui ne sont pas des nombres ; regardez ce que sa commande a écrit.</translation>
+    </message>
+</context>
+<context>
     <name>Curvature</name>
     <message>
         <source>Curvature</source>
@@ -824,6 +919,325 @@
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
         <translation>Le plan ne rencontre rien de « %1 » qui puisse être coupé.</translation>
+    </message>
+</context>
+<context>
+    <name>DeformFeature</name>
+    <message>
+        <source>Fields (%1)</source>
+        <translation>Champs (%1)</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Déformer</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Revenez d&apos;abord au présent : Échap.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Déformer par des nombres</translation>
+    </message>
+    <message>
+        <source>No part is selected: click one in the tree, or choose all parts.</source>
+        <translation>Aucune pièce n&apos;est sélectionnée : cliquez-en une dans l&apos;arbre, ou choisissez toutes les pièces.</translation>
+    </message>
+    <message>
+        <source>Deform by a field</source>
+        <translation>Déformer par un champ</translation>
+    </message>
+</context>
+<context>
+    <name>DeformPanel</name>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Parts are bent, twisted, tapered, stretched, sheared or scaled by numbers here, or by the displacements of another program: File &gt; Deform by a field.</source>
+        <translation>Ici, des pièces sont courbées, vrillées, effilées, étirées, cisaillées ou mises à l&apos;échelle par des nombres, ou par les déplacements d&apos;un autre programme : Fichier &gt; Déformer par un champ.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Déformer par des nombres</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Esc: everything stays as it is</source>
+        <translation>Échap : tout reste en l&apos;état</translation>
+    </message>
+    <message>
+        <source>Enter in the view: the parts become what is shown</source>
+        <translation>Entrée dans la vue : les pièces deviennent ce qui est montré</translation>
+    </message>
+</context>
+<context>
+    <name>DeformStage</name>
+    <message>
+        <source>Something else was done while the parts were deformed, so they stay as they are. Apply the deformation again.</source>
+        <translation>Autre chose a été fait pendant que les pièces étaient déformées, elles restent donc en l&apos;état. Appliquez la déformation de nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>Deformation</name>
+    <message>
+        <source>The field has %1 nodes, but %2 displacements.</source>
+        <translation>Le champ a %1 nœuds, mais %2 déplacements.</translation>
+    </message>
+    <message>
+        <source>Node %1 of the field has a number that is not finite, or far too large; leave that node out, or write the file again.</source>
+        <translation>Le nœud %1 du champ a un nombre qui n’est pas fini, ou bien trop grand ; omettez ce nœud, ou écrivez le fichier de nouveau.</translation>
+    </message>
+    <message>
+        <source>A bend of %1 mm radius would fold the material on its inner side, which reaches %2 mm from the neutral plane. The radius must be larger than that: take a smaller angle, planes farther apart, or a neutral plane nearer to the inner side.</source>
+        <translation>Une courbure de %1 mm de rayon replierait la matière du côté intérieur, qui s’étend jusqu’à %2 mm du plan neutre. Le rayon doit être plus grand : prenez un angle plus petit, des plans plus éloignés ou un plan neutre plus proche du côté intérieur.</translation>
+    </message>
+    <message>
+        <source>A direction of no length is none; give x, y, z, or three numbers.</source>
+        <translation>Une direction sans longueur n&apos;en est pas une ; donnez x, y, z ou trois nombres.</translation>
+    </message>
+    <message>
+        <source>The side runs along the axis, but must lie across it; choose another one.</source>
+        <translation>Le côté suit l&apos;axe, mais doit lui être transversal ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Only a bend has a radius and a plane that keeps its length; leave them out.</source>
+        <translation>Seule une flexion a un rayon et un plan qui garde sa longueur ; omettez-les.</translation>
+    </message>
+    <message>
+        <source>The plane that keeps its length is given twice, by its place and by a k factor; leave one of them out.</source>
+        <translation>Le plan qui garde sa longueur est donné deux fois, par son lieu et par un facteur k ; omettez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>A k factor is between 0, inside, and 1, outside.</source>
+        <translation>Un facteur k est compris entre 0, à l&apos;intérieur, et 1, à l&apos;extérieur.</translation>
+    </message>
+    <message>
+        <source>Angle and radius say where the bend ends; leave out the second plane.</source>
+        <translation>L&apos;angle et le rayon disent où la flexion se termine ; omettez le second plan.</translation>
+    </message>
+    <message>
+        <source>The radius of a bend must be larger than 0.</source>
+        <translation>Le rayon d&apos;une flexion doit être supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Neutral plane</source>
+        <translation>Plan neutre</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Courber</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Tordre</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Effiler</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirer</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cisailler</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Mettre à l’échelle</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts came back from being deformed; nothing was changed.</source>
+        <translation>%1 pièces sur %2 sont revenues déformées ; rien n&apos;a été changé.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; this is &quot;%3&quot;.</source>
+        <translation>%1 attend %2 ; ceci est « %3 ».</translation>
+    </message>
+    <message>
+        <source>%1 says nothing about what stands before it; put it behind the deformation that it is for.</source>
+        <translation>%1 ne dit rien de ce qui le précède ; mettez-le derrière la déformation qu&apos;il concerne.</translation>
+    </message>
+    <message>
+        <source>No folder could be made in %1; make room there and try again.</source>
+        <translation>Aucun dossier n&apos;a pu être créé dans %1 ; faites-y de la place et réessayez.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3, numbered from 0, and meshes have none.</source>
+        <translation>« %1 » n&apos;a pas de face %2 ; il en a %3, numérotées à partir de 0, et les maillages n&apos;en ont pas.</translation>
+    </message>
+    <message>
+        <source>Which part the faces %1 are of is not clear; put its name before them, as Lid:%1.</source>
+        <translation>On ne sait pas de quelle pièce sont les faces %1 ; mettez son nom devant, comme Couvercle:%1.</translation>
+    </message>
+    <message>
+        <source>%1 parts that are deformed are called &quot;%2&quot;, not one; knead info --json lists the names and paths of all.</source>
+        <translation>%1 pièces à déformer s&apos;appellent « %2 », et non une ; knead info --json donne les noms et chemins de toutes.</translation>
+    </message>
+    <message>
+        <source>it has no surface to be deformed.</source>
+        <translation>il n&apos;a pas de surface à déformer.</translation>
+    </message>
+    <message>
+        <source>There is no part or assembly &quot;%1&quot; in %2; knead info --json lists the names and paths of all.</source>
+        <translation>Il n&apos;y a ni pièce ni assemblage « %1 » dans %2 ; knead info --json donne les noms et chemins de tous.</translation>
+    </message>
+    <message>
+        <source>The field has no nodes.</source>
+        <translation>Le champ n’a pas de nœuds.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation is no number.</source>
+        <translation>Le facteur d’une déformation n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Faces that stay where they are need a distance over which the deformation fades.</source>
+        <translation>Les faces qui restent en place demandent une distance sur laquelle la déformation s’estompe.</translation>
+    </message>
+    <message>
+        <source>A face that stays where it is has a corner that is no place.</source>
+        <translation>Une face qui reste en place a un sommet qui n’est pas un lieu.</translation>
+    </message>
+    <message>
+        <source>The axis of a deformation has a coordinate that is no number.</source>
+        <translation>L&apos;axe d&apos;une déformation a une coordonnée qui n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>A deformation by number has a value that is no number.</source>
+        <translation>Une déformation par nombres a une valeur qui n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>The second plane of a deformation must lie behind the first one, along its axis.</source>
+        <translation>Le second plan d&apos;une déformation doit se trouver derrière le premier, le long de son axe.</translation>
+    </message>
+    <message>
+        <source>The side of a deformation must point across its axis.</source>
+        <translation>Le côté d&apos;une déformation doit être transversal à son axe.</translation>
+    </message>
+    <message>
+        <source>A bend or a twist goes around ten times at most: take a smaller angle, or a larger radius.</source>
+        <translation>Une flexion ou une torsion fait au plus dix tours : prenez un angle plus petit ou un rayon plus grand.</translation>
+    </message>
+    <message>
+        <source>What stays of a deformation lies between its planes: from 0 at the first one to 1 at the second one.</source>
+        <translation>Ce qui reste en place lors d&apos;une déformation est entre ses plans : de 0 au premier à 1 au second.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation must be larger than 0.</source>
+        <translation>Le facteur d&apos;une déformation doit être supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
+        <translation>Un étirement doux ne peut pas raccourcir à moins de 0,47 : le milieu se replierait. Prenez un facteur plus grand, ou ne l&apos;adoucissez pas.</translation>
+    </message>
+</context>
+<context>
+    <name>Deforming</name>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Aperçu : %1</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>Preview: deformed by %1</source>
+        <translation>Aperçu : déformé par %1</translation>
+    </message>
+    <message>
+        <source>The field turns material inside out near %1, %2, %3 mm. Take a smaller factor.</source>
+        <translation>Le champ retourne la matière près de %1, %2, %3 mm. Prenez un facteur plus petit.</translation>
+    </message>
+    <message>
+        <source>Deformed by %1</source>
+        <translation>Déformé par %1</translation>
+    </message>
+    <message>
+        <source>Deformed by %1, times %2</source>
+        <translation>Déformé par %1, fois %2</translation>
+    </message>
+    <message>
+        <source>Deforming by %1</source>
+        <translation>Déformation par %1</translation>
+    </message>
+    <message>
+        <source>The second plane must lie behind the first one, along the axis.</source>
+        <translation>Le second plan doit se trouver derrière le premier, le long de l&apos;axe.</translation>
+    </message>
+    <message>
+        <source>Select a flat face first, whose normal is to be the axis.</source>
+        <translation>Sélectionnez d&apos;abord une face plane dont la normale sera l&apos;axe.</translation>
+    </message>
+    <message>
+        <source>The bend is tighter than the material allows, which would fold: at least a radius of %1, or at most %2 between these planes.</source>
+        <translation>La courbure est plus serrée que la matière ne le permet, qui se replierait : un rayon d&apos;au moins %1, ou au plus %2 entre ces plans.</translation>
+    </message>
+    <message>
+        <source>Bent by %1</source>
+        <translation>Courbé de %1</translation>
+    </message>
+    <message>
+        <source>Twisted by %1</source>
+        <translation>Vrillé de %1</translation>
+    </message>
+    <message>
+        <source>Tapered to %1</source>
+        <translation>Effilé à %1</translation>
+    </message>
+    <message>
+        <source>Stretched to %1</source>
+        <translation>Étiré à %1</translation>
+    </message>
+    <message>
+        <source>Sheared by %1</source>
+        <translation>Cisaillé de %1</translation>
+    </message>
+    <message>
+        <source>Scaled to %1</source>
+        <translation>Mis à l&apos;échelle %1</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>Twisting</source>
+        <translation>Vrillage</translation>
+    </message>
+    <message>
+        <source>Tapering</source>
+        <translation>Effilage</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Étirement</translation>
+    </message>
+    <message>
+        <source>Shearing</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Mise à l&apos;échelle</translation>
     </message>
 </context>
 <context>
@@ -1711,6 +2125,22 @@
         <source>there is nothing to export.</source>
         <translation>il n&apos;y a rien à exporter.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot;: its faces could not be divided at the planes of the deformation; each is one surface across them.</source>
+        <translation>« %1 » : ses faces n’ont pas pu être divisées aux plans de la déformation ; chacune est une seule surface qui les traverse.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
+        <translation>« %1 » : 1 face a été divisée aux plans de la déformation.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces were divided at the planes of the deformation.</source>
+        <translation>« %1 » : %2 faces ont été divisées aux plans de la déformation.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
+        <translation>« %1 » : toutes les déformations ont été appliquées en une étape, à travers les plans de certaines d’entre elles.</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1820,6 +2250,10 @@
     <message>
         <source>Not everything in %1 is sound; the export report says what is not.</source>
         <translation>Tout n&apos;est pas sain dans %1&#xa0;; le rapport d&apos;exportation dit quoi.</translation>
+    </message>
+    <message>
+        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
+        <translation>Tout ce que la déformation a donné n&apos;est pas sain ; le rapport d&apos;exportation dit quoi. Annuler revient à la pièce telle qu&apos;elle était.</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2389,372 @@
     <message>
         <source>Exported parts</source>
         <translation>Pièces exportées</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>at %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>on face %1, at %2</source>
+        <translation>sur la face %1, en %2</translation>
+    </message>
+    <message>
+        <source>The nodes of the field span %1 mm, the parts %2 mm: the numbers seem to be %3. Choose &quot;%4&quot; as the unit of the field.</source>
+        <translation>Les nœuds du champ s’étendent sur %1 mm, les pièces sur %2 mm : les nombres semblent être des %3. Choisissez « %4 » comme unité du champ.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but lies elsewhere: its middle is at %1, theirs at %2. Move the parts there, or write the field where they are.</source>
+        <translation>Le champ a la taille des pièces, mais se trouve ailleurs : son milieu est en %1, le leur en %2. Déplacez-y les pièces, ou écrivez le champ là où elles sont.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but is turned: it spans %1 mm, they span %2 mm. Turn the parts, or write the field with the axes that they have.</source>
+        <translation>Le champ a la taille des pièces, mais est tourné : il s’étend sur %1 mm, elles sur %2 mm. Tournez les pièces, ou écrivez le champ avec leurs axes.</translation>
+    </message>
+    <message>
+        <source>The field is not of these parts: %1 % of their surface lies far from all of its nodes, at most %2 mm (%3). The field spans %4 mm, the parts %5 mm.</source>
+        <translation>Le champ n’est pas celui de ces pièces : %1 % de leur surface est loin de tous ses nœuds, au plus %2 mm (%3). Le champ s’étend sur %4 mm, les pièces sur %5 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface has no nodes of the field near it; there the field is continued. The farthest place lies %2 mm from a node, %3.</source>
+        <translation>%1 % de la surface n’a pas de nœuds du champ à proximité ; le champ y est prolongé. L’endroit le plus éloigné est à %2 mm d’un nœud, %3.</translation>
+    </message>
+    <message>
+        <source>The field folds the material %1: its volume there would be %2 times what it was. Take a smaller factor, or keep faces there as they are.</source>
+        <translation>Le champ replie la matière %1 : son volume y serait %2 fois ce qu’il était. Prenez un facteur plus petit, ou gardez-y des faces telles quelles.</translation>
+    </message>
+    <message>
+        <source>%1 % of the nodes move otherwise than those beside them, most at %2, by %3 mm: two sides of a slit, or noise. A smooth field passes between them.</source>
+        <translation>%1 % des nœuds se déplacent autrement que leurs voisins, le plus en %2, de %3 mm : deux côtés d’une fente, ou du bruit. Un champ lisse passe entre eux.</translation>
+    </message>
+    <message>
+        <source>The scan was moved by (%1, %2, %3) mm and turned by %4 degrees, so that it lies on the part.</source>
+        <translation>Le scan a été déplacé de (%1, %2, %3) mm et tourné de %4 degrés, de sorte qu’il repose sur la pièce.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 points of the part the scan says nothing to go by, as where it has a hole; the field is continued there. The farthest lies %3 mm from the scan, at %4.</source>
+        <translation>En %1 des %2 points de la pièce, le scan ne dit rien d’utilisable, comme là où il a un trou ; le champ y est prolongé. Le plus éloigné est à %3 mm du scan, en %4.</translation>
+    </message>
+    <message>
+        <source>The scan or the part has no triangles.</source>
+        <translation>Le scan ou la pièce n’a pas de triangles.</translation>
+    </message>
+    <message>
+        <source>The scan has a corner that is no place.</source>
+        <translation>Le scan a un sommet qui n’est pas un lieu.</translation>
+    </message>
+    <message>
+        <source>The triangles of the scan have no area.</source>
+        <translation>Les triangles du scan n’ont pas d’aire.</translation>
+    </message>
+    <message>
+        <source>The scan does not lie on the part: only %1 % of it does, however it is turned. Look at its unit, or lay it on the part and say that it stays in place.</source>
+        <translation>Le scan ne repose pas sur la pièce : seulement %1 %, quelle que soit son orientation. Vérifiez son unité, ou posez-le sur la pièce et dites qu’il reste en place.</translation>
+    </message>
+    <message>
+        <source>CalculiX results</source>
+        <translation>Résultats de CalculiX</translation>
+    </message>
+    <message>
+        <source>VTK</source>
+        <translation>VTK</translation>
+    </message>
+    <message>
+        <source>Gmsh</source>
+        <translation>Gmsh</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Abaqus report</source>
+        <translation>Rapport d&apos;Abaqus</translation>
+    </message>
+    <message>
+        <source>Abaqus or CalculiX input</source>
+        <translation>Données d&apos;entrée d&apos;Abaqus ou de CalculiX</translation>
+    </message>
+    <message>
+        <source>The cracks of &quot;%1&quot; could not be made into surfaces: values at nodes beside them may be those of the other side.</source>
+        <translation>Les fissures de « %1 » n’ont pas pu devenir des surfaces : les valeurs aux nœuds voisins peuvent être celles de l’autre côté.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes lie outside of all bodies and have no values; the farthest is %3 away, at (%4, %5, %6). Check the unit of the mesh, and whether its nodes lie in the parts as they were opened or as they are now.</source>
+        <translation>%1 nœuds sur %2 sont hors de tous les corps et n’ont pas de valeurs ; le plus éloigné est à %3, en (%4, %5, %6). Vérifiez l’unité du maillage, et si ses nœuds se trouvent dans les pièces telles qu’elles ont été ouvertes ou telles qu’elles sont maintenant.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, there is no number %2; choose another one.</source>
+        <translation>il a %1 pas de temps, pas de numéro %2&#xa0;; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>it has no vectors at nodes; write the displacements of the nodes into it, too.</source>
+        <translation>il n&apos;a pas de vecteurs aux nœuds&#xa0;; écrivez-y aussi les déplacements des nœuds.</translation>
+    </message>
+    <message>
+        <source>it has no vectors called %1 at its nodes; it has %2.</source>
+        <translation>il n&apos;a pas de vecteurs appelés %1 à ses nœuds&#xa0;; il a %2.</translation>
+    </message>
+    <message>
+        <source>several vectors could be the displacements: %1; say which.</source>
+        <translation>plusieurs vecteurs pourraient être les déplacements&#xa0;: %1&#xa0;; dites lequel.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 values for %3 nodes; write the file again with the program it comes from.</source>
+        <translation>%1 a %2 valeurs pour %3 nœuds&#xa0;; réécrivez le fichier avec le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>an element has node %1, which is missing; write the file again.</source>
+        <translation>un élément a le nœud %1, qui manque&#xa0;; réécrivez le fichier.</translation>
+    </message>
+    <message>
+        <source>the file is damaged; write it again with the program it comes from.</source>
+        <translation>le fichier est endommagé&#xa0;; réécrivez-le avec le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>this is no file of displacements; they are read from %1 files.</source>
+        <translation>ce n&apos;est pas un fichier de déplacements&#xa0;; on les lit dans des fichiers %1.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; write the results with the mesh.</source>
+        <translation>il n&apos;a pas de nœuds&#xa0;; écrivez les résultats avec le maillage.</translation>
+    </message>
+    <message>
+        <source>The file has %1 time steps; the last one was read (%2).</source>
+        <translation>Le fichier a %1 pas de temps&#xa0;; le dernier a été lu (%2).</translation>
+    </message>
+    <message>
+        <source>no node in it has a displacement; write the displacements into it, too.</source>
+        <translation>aucun nœud n&apos;y a de déplacement&#xa0;; écrivez-y aussi les déplacements.</translation>
+    </message>
+    <message>
+        <source>%1 has another number of values than there are nodes; nothing was written.</source>
+        <translation>%1 n&apos;a pas autant de valeurs qu&apos;il y a de nœuds&#xa0;; rien n&apos;a été écrit.</translation>
+    </message>
+    <message>
+        <source>fields at nodes are written to .vtu and .csv files.</source>
+        <translation>les champs aux nœuds s&apos;écrivent dans des fichiers .vtu et .csv.</translation>
+    </message>
+    <message>
+        <source>it is a Gmsh file of version %1, which is not read; save it in version 4.1 or 2.2.</source>
+        <translation>c&apos;est un fichier Gmsh de la version %1, qui n&apos;est pas lue&#xa0;; enregistrez-le en version 4.1 ou 2.2.</translation>
+    </message>
+    <message>
+        <source>its bytes are in the order of another kind of computer; save it as text (ASCII).</source>
+        <translation>ses octets sont dans l&apos;ordre d&apos;un autre genre d&apos;ordinateur&#xa0;; enregistrez-le en texte (ASCII).</translation>
+    </message>
+    <message>
+        <source>it has elements of Gmsh&apos;s type %1, which is not known; leave them out.</source>
+        <translation>il a des éléments du type %1 de Gmsh, qui n&apos;est pas connu&#xa0;; laissez-les de côté.</translation>
+    </message>
+    <message>
+        <source>its nodes stand in other files that it includes; give the file with *NODE.</source>
+        <translation>ses nœuds sont dans d&apos;autres fichiers qu&apos;il inclut&#xa0;; donnez le fichier avec *NODE.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; a mesh has them behind *NODE.</source>
+        <translation>il n&apos;a pas de nœuds&#xa0;; un maillage les a après *NODE.</translation>
+    </message>
+    <message>
+        <source>%1 elements are of kinds that are not read and were left out.</source>
+        <translation>%1 éléments sont de types qui ne sont pas lus et ont été laissés de côté.</translation>
+    </message>
+    <message>
+        <source>this is an input of Abaqus or CalculiX, without displacements; give the results (.frd).</source>
+        <translation>ce sont des données d&apos;entrée d&apos;Abaqus ou de CalculiX, sans déplacements&#xa0;; donnez les résultats (.frd).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes have no displacement and were left out.</source>
+        <translation>%1 nœuds sur %2 n&apos;ont pas de déplacement et ont été laissés de côté.</translation>
+    </message>
+    <message>
+        <source>%1 nodes lie where another one does; each such place has the mean of their displacements.</source>
+        <translation>%1 nœuds se trouvent là où il y en a déjà un&#xa0;; chacun de ces endroits a la moyenne de leurs déplacements.</translation>
+    </message>
+    <message>
+        <source>the collection names no files.</source>
+        <translation>la collection ne nomme aucun fichier.</translation>
+    </message>
+    <message>
+        <source>the report has no coordinates; write COORD of the nodes into it beside U.</source>
+        <translation>le rapport n&apos;a pas de coordonnées&#xa0;; écrivez-y COORD des nœuds à côté de U.</translation>
+    </message>
+    <message>
+        <source>the report has no table with values of nodes.</source>
+        <translation>le rapport n&apos;a pas de tableau avec des valeurs de nœuds.</translation>
+    </message>
+    <message>
+        <source>%1 lines hold no numbers where they should and were left out.</source>
+        <translation>%1 lignes n&apos;ont pas de nombres là où il en faudrait et ont été laissées de côté.</translation>
+    </message>
+    <message>
+        <source>there are no lines of numbers in it; a table has a line per node with X, Y, Z, DX, DY, DZ.</source>
+        <translation>il n&apos;y a pas de lignes de nombres&#xa0;; un tableau a une ligne par nœud avec X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>it cannot be told what its %1 columns are; name them in the first line: X, Y, Z, DX, DY, DZ.</source>
+        <translation>on ne peut pas savoir ce que sont ses %1 colonnes&#xa0;; nommez-les dans la première ligne&#xa0;: X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off at line %1; write it again with the program it comes from.</source>
+        <translation>le fichier est endommagé ou coupé à la ligne %1&#xa0;; réécrivez-le avec le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>it holds texts as bytes, which are not read; save it as text (ASCII).</source>
+        <translation>il contient des textes en binaire, qui ne sont pas lus&#xa0;; enregistrez-le en texte (ASCII).</translation>
+    </message>
+    <message>
+        <source>this VTK file is of the kind %1, which is not read; save it as an unstructured grid (.vtu).</source>
+        <translation>ce fichier VTK est du type %1, qui n&apos;est pas lu&#xa0;; enregistrez-le comme grille non structurée (.vtu).</translation>
+    </message>
+    <message>
+        <source>its numbers are compressed by %1, which is not read; save it with zlib or without compression.</source>
+        <translation>ses nombres sont compressés par %1, qui n&apos;est pas lu&#xa0;; enregistrez-le avec zlib ou sans compression.</translation>
+    </message>
+    <message>
+        <source>the file asks for more memory than there is; write fewer steps and values into it.</source>
+        <translation>le fichier demande plus de mémoire qu&apos;il n&apos;y en a&#xa0;; écrivez-y moins de pas et de valeurs.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; the file is damaged or far too large.</source>
+        <translation>Rien n&apos;a été lu&#xa0;; le fichier est endommagé ou bien trop gros.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; write the file again, best as .vtu.</source>
+        <translation>Rien n&apos;a été lu&#xa0;; réécrivez le fichier, de préférence en .vtu.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was read; try again.</source>
+        <translation>le résultat du lecteur est endommagé (%1). Rien n&apos;a été lu&#xa0;; réessayez.</translation>
+    </message>
+    <message>
+        <source>Values at nodes need a mesh and a file to write: give --nodes and the output.</source>
+        <translation>Les valeurs aux nœuds demandent un maillage et un fichier à écrire : indiquez --nodes et la sortie.</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;%1&quot;; known are %2.</source>
+        <translation>Il n’y a pas de champ « %1 » ; sont connus %2.</translation>
+    </message>
+    <message>
+        <source>values at nodes are written to .vtu, .csv and .inp files.</source>
+        <translation>les valeurs aux nœuds s’écrivent dans des fichiers .vtu, .csv et .inp.</translation>
+    </message>
+    <message>
+        <source>no node lies in the bodies.</source>
+        <translation>aucun nœud ne se trouve dans les corps.</translation>
+    </message>
+    <message>
+        <source>there is nothing to write: the mesh has no solid elements for stress, and no displaced nodes were asked for.</source>
+        <translation>il n’y a rien à écrire : le maillage n’a pas d’éléments solides pour les contraintes, et les nœuds déplacés n’ont pas été demandés.</translation>
+    </message>
+    <message>
+        <source>The coordinates are those in the report; where Abaqus computed with large displacements they are the moved ones: take those of the first frame then.</source>
+        <translation>Les coordonnées sont celles du rapport&#xa0;; si Abaqus a calculé en grands déplacements, ce sont celles d&apos;après&#xa0;: prenez alors celles de la première image.</translation>
+    </message>
+    <message>
+        <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
+        <translation>un nœud a une coordonnée qui n&apos;est pas un nombre ou qui est bien trop grande ; réécrivez le fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>FieldPage</name>
+    <message>
+        <source>Choose faces</source>
+        <translation>Choisir des faces</translation>
+    </message>
+    <message>
+        <source>Keep none</source>
+        <translation>N&apos;en garder aucune</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Nothing moves along this axis</source>
+        <translation>Rien ne bouge le long de cet axe</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Faces that stay</source>
+        <translation>Faces qui restent</translation>
+    </message>
+    <message>
+        <source>Fades within</source>
+        <translation>S&apos;estompe sur</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Pour regarder</translation>
+    </message>
+    <message>
+        <source>Exaggerated</source>
+        <translation>Exagéré</translation>
+    </message>
+    <message>
+        <source>Largest way</source>
+        <translation>Plus grand trajet</translation>
+    </message>
+    <message>
+        <source>Click faces in the view that are to stay exactly where they are, then press this again</source>
+        <translation>Cliquez dans la vue les faces qui doivent rester exactement où elles sont, puis appuyez de nouveau ici</translation>
+    </message>
+    <message>
+        <source>Of the displacements; -1 goes the other way, as one compensates</source>
+        <translation>Des déplacements ; -1 va dans l&apos;autre sens, comme on compense</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>selon la pièce</translation>
+    </message>
+    <message>
+        <source>From the faces that stay to where the whole field holds</source>
+        <translation>Des faces qui restent jusqu&apos;où le champ entier vaut</translation>
+    </message>
+    <message>
+        <source>Only of what is seen before it is applied</source>
+        <translation>Seulement de ce qui est vu avant d&apos;être appliqué</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file</source>
+        <translation>Des longueurs dans le fichier</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 nodes</source>
+        <translation>%1 : %2, %3 nœuds</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
     </message>
 </context>
 <context>
@@ -4905,6 +5705,137 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>NumberPage</name>
+    <message>
+        <source>Begins and ends gently</source>
+        <translation>Commence et finit en douceur</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>The selected ones</source>
+        <translation>Celles qui sont sélectionnées</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>The longest side</source>
+        <translation>Le plus long côté</translation>
+    </message>
+    <message>
+        <source>Normal of the selected face</source>
+        <translation>Normale de la face sélectionnée</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>First plane</source>
+        <translation>Premier plan</translation>
+    </message>
+    <message>
+        <source>Where it begins, along the axis from the origin</source>
+        <translation>Où cela commence, le long de l&apos;axe depuis l&apos;origine</translation>
+    </message>
+    <message>
+        <source>Second plane</source>
+        <translation>Second plan</translation>
+    </message>
+    <message>
+        <source>Where it ends, along the axis from the origin</source>
+        <translation>Où cela finit, le long de l&apos;axe depuis l&apos;origine</translation>
+    </message>
+    <message>
+        <source>Toward</source>
+        <translation>Vers</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Of the second plane against the first one; below 0 the other way</source>
+        <translation>Du second plan par rapport au premier ; sous 0 dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Of the line that keeps its length; the angle follows</source>
+        <translation>De la ligne qui garde sa longueur ; l&apos;angle suit</translation>
+    </message>
+    <message>
+        <source>Neutral line</source>
+        <translation>Fibre neutre</translation>
+    </message>
+    <message>
+        <source>What keeps its length: 0 at the inner side, 1 at the outer one. Sheet metal has some 0.33 to 0.5, its k-factor</source>
+        <translation>Ce qui garde sa longueur : 0 du côté intérieur, 1 du côté extérieur. La tôle a environ 0,33 à 0,5, son facteur k</translation>
+    </message>
+    <message>
+        <source>Neutral place</source>
+        <translation>Place neutre</translation>
+    </message>
+    <message>
+        <source>The same as a place along the side that it bends toward</source>
+        <translation>La même chose comme place le long du côté vers lequel elle se courbe</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Of the second plane; 1 changes nothing</source>
+        <translation>Du second plan ; 1 ne change rien</translation>
+    </message>
+    <message>
+        <source>New length</source>
+        <translation>Nouvelle longueur</translation>
+    </message>
+    <message>
+        <source>Between the planes afterwards; the factor follows</source>
+        <translation>Entre les plans ensuite ; le facteur suit</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Of the second plane, sideways</source>
+        <translation>Du second plan, de côté</translation>
+    </message>
+    <message>
+        <source>The first plane</source>
+        <translation>Le premier plan</translation>
+    </message>
+    <message>
+        <source>The middle</source>
+        <translation>Le milieu</translation>
+    </message>
+    <message>
+        <source>The second plane</source>
+        <translation>Le second plan</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Reste en place</translation>
+    </message>
+    <message>
+        <source>Without a crease at the planes; in the middle there is then more of it</source>
+        <translation>Sans pli aux plans ; au milieu, il y en a alors plus</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4917,6 +5848,49 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Le pilote graphique ne dessine que pour la fenêtre, rien ne peut donc être enregistré. Démarrez Knead avec LIBGL_ALWAYS_SOFTWARE=1 dans son environnement pour enregistrer sans le pilote.</translation>
+    </message>
+</context>
+<context>
+    <name>OtherPartFeature</name>
+    <message>
+        <source>%1 of %2 faces were found again.</source>
+        <translation>%1 faces sur %2 ont été retrouvées.</translation>
+    </message>
+    <message>
+        <source>Moved: %1 by %2 mm</source>
+        <translation>Déplacé : %1 de %2 mm</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Appliquer à une autre pièce</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Pièces (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the faces again on %1</source>
+        <translation>Recherche des faces sur %1</translation>
+    </message>
+    <message>
+        <source>This is what was found again on %1:</source>
+        <translation>Voici ce qui a été retrouvé sur %1 :</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Apply to %1</source>
+        <translation>Appliquer à %1</translation>
+    </message>
+    <message>
+        <source>Play carries out on %1 what was done before.</source>
+        <translation>Lecture exécute sur %1 ce qui a été fait auparavant.</translation>
     </message>
 </context>
 <context>
@@ -6467,6 +7441,74 @@ Simulé&#xa0;: %2, pas %3
         <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
         <translation>Les sondes de cette recette sont lues par « knead run ». Posez des sondes sur la pièce pour les lire ici.</translation>
     </message>
+    <message>
+        <source>&quot;deform&quot; names the body &quot;%1&quot;, which the part does not have.</source>
+        <translation>« deform » nomme le corps « %1 », que la pièce n’a pas.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces; name the body that they are of.</source>
+        <translation>« deform » garde des faces en place ; nommez le corps auquel elles appartiennent.</translation>
+    </message>
+    <message>
+        <source>Fields in files cannot be read here; deform by numbers, or use &quot;knead morph&quot;.</source>
+        <translation>Les champs dans des fichiers ne peuvent pas être lus ici ; déformez par des nombres, ou utilisez « knead morph ».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; did not come out sound when it was deformed; look at it closely.</source>
+        <translation>« %1 » n’est pas ressorti sain de sa déformation ; examinez-le de près.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind %1.</source>
+        <translation>n’appartient pas au genre %1.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg, angle_rad and radius_mm.</source>
+        <translation>doit avoir exactement une des clés angle_deg, angle_rad et radius_mm.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg and angle_rad.</source>
+        <translation>doit avoir exactement une des clés angle_deg et angle_rad.</translation>
+    </message>
+    <message>
+        <source>must point across the axis.</source>
+        <translation>doit pointer en travers de l’axe.</translation>
+    </message>
+    <message>
+        <source>must be larger than from_mm.</source>
+        <translation>doit être plus grand que from_mm.</translation>
+    </message>
+    <message>
+        <source>cannot be: %1</source>
+        <translation>est impossible : %1</translation>
+    </message>
+    <message>
+        <source>must have both of the keys kept_faces and fade_mm, or none.</source>
+        <translation>doit avoir les deux clés kept_faces et fade_mm, ou aucune.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
+        <translation>ses pièces ont été déformées par des nombres ou par un champ, et seul un projet les garde ainsi ; enregistrez d&apos;abord le projet.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
+        <translation>Les pièces ont été déformées par des nombres ou par un champ : la recette les prend dans le projet, telles qu&apos;elles étaient alors.</translation>
+    </message>
+    <message>
+        <source>parts beside the first that were placed cannot be written.</source>
+        <translation>des pièces placées à côté de la première ne peuvent pas être écrites.</translation>
+    </message>
+    <message>
+        <source>pictures to write cannot be written into a recipe.</source>
+        <translation>des images à écrire ne peuvent pas être mises dans une recette.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps face %1 of &quot;%2&quot;, which has %3; they are numbered from 0.</source>
+        <translation>« deform » garde la face %1 de « %2 », qui en a %3 ; elles sont numérotées à partir de 0.</translation>
+    </message>
+    <message>
+        <source>is so small that the bend goes around more than ten times; take a larger one.</source>
+        <translation>est si petit que la flexion fait plus de dix tours ; prenez-en un plus grand.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -7430,6 +8472,21 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Session field</name>
+    <message>
+        <source>&quot;%1&quot; is cracked, cut or in pieces there, and a field cannot tear: it says what became of the largest piece, as if it were whole.</source>
+        <translation>« %1 » y est fissuré, coupé ou en morceaux, et un champ ne peut pas se déchirer : il dit ce qu&apos;est devenu le plus grand morceau, comme s&apos;il était entier.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead.</source>
+        <translation>ce n&apos;est pas un projet de Knead.</translation>
+    </message>
+    <message>
+        <source>nothing has moved at its entry %1: there is no field.</source>
+        <translation>rien n&apos;a bougé à son entrée %1 : il n&apos;y a pas de champ.</translation>
+    </message>
+</context>
+<context>
     <name>Shortcuts</name>
     <message>
         <source>drives the selected tool</source>
@@ -7536,6 +8593,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Redo</source>
         <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Revenez d&apos;abord au présent : Échap.</translation>
     </message>
 </context>
 <context>
@@ -7867,6 +8928,26 @@ Simulé&#xa0;: %2, pas %3
         <source>done</source>
         <translation>terminé</translation>
     </message>
+    <message>
+        <source>dividing faces</source>
+        <translation>division des faces</translation>
+    </message>
+    <message>
+        <source>fitting the field</source>
+        <translation>ajustement du champ</translation>
+    </message>
+    <message>
+        <source>comparing the field with the parts</source>
+        <translation>comparaison du champ avec les pièces</translation>
+    </message>
+    <message>
+        <source>placing the scan</source>
+        <translation>placement du scan</translation>
+    </message>
+    <message>
+        <source>comparing the scan with the part</source>
+        <translation>comparaison du scan avec la pièce</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -8052,6 +9133,37 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>le fichier ne contient que des courbes et des points, ni solide ni surface&#xa0;; exportez la pièce comme solide.</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>must name a face; leave the part out where none counts.</source>
+        <translation>doit nommer une face ; omettez la pièce dont aucune ne compte.</translation>
+    </message>
+    <message>
+        <source>must name a part; leave the key out where all faces count.</source>
+        <translation>doit nommer une pièce ; omettez la clé si toutes les faces comptent.</translation>
+    </message>
+    <message>
+        <source>must be the name of a file in the folder of the round, without folders</source>
+        <translation>doit être le nom d&apos;un fichier dans le dossier du tour, sans dossiers</translation>
+    </message>
+    <message>
+        <source>has the name of another one; all of them go into one folder.</source>
+        <translation>a le nom d&apos;un autre ; tous vont dans un seul dossier.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys recipe and command.</source>
+        <translation>doit avoir exactement une des clés recipe et command.</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;field&quot;: the file that the command writes.</source>
+        <translation>doit avoir la clé « field » : le fichier que la commande écrit.</translation>
+    </message>
+    <message>
+        <source>belongs to a command; a recipe needs none.</source>
+        <translation>va avec une commande ; une recette n&apos;en a pas besoin.</translation>
     </message>
 </context>
 <context>
@@ -8371,6 +9483,42 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>material, stiffness, rubber, steel</source>
         <translation>matériau, rigidité, caoutchouc, acier</translation>
+    </message>
+    <message>
+        <source>revision, version, transfer, repeat, other part</source>
+        <translation>révision, version, transférer, répéter, autre pièce</translation>
+    </message>
+    <message>
+        <source>flex, morph, warp, deformer, free form, global modeling</source>
+        <translation>flexion, morphing, gauchir, forme libre</translation>
+    </message>
+    <message>
+        <source>flex, curl, arc, curve, sheet metal, k-factor, tube, roll</source>
+        <translation>plier, cintrer, arc, courbe, tôle, facteur k, tube, rouler</translation>
+    </message>
+    <message>
+        <source>wring, flex, screw, turn, helix, torsion</source>
+        <translation>tordre, vis, tourner, hélice, torsion</translation>
+    </message>
+    <message>
+        <source>flex, cone, draft, narrow, widen</source>
+        <translation>cône, dépouille, rétrécir, élargir</translation>
+    </message>
+    <message>
+        <source>flex, lengthen, shorten, elongate, compress</source>
+        <translation>allonger, raccourcir, comprimer</translation>
+    </message>
+    <message>
+        <source>offset, skew, slant, joggle, sideways</source>
+        <translation>décalage, incliner, biais, de côté</translation>
+    </message>
+    <message>
+        <source>enlarge, shrink, size, grow</source>
+        <translation>agrandir, rétrécir, taille</translation>
+    </message>
+    <message>
+        <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
+        <translation>déplacements, éléments finis, CalculiX, Abaqus, gauchissement, retour élastique, compensation, champ, vtu, frd</translation>
     </message>
 </context>
 <context>
@@ -8754,6 +9902,109 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Ctrl+Z annule tout ce que vous avez fait. Ctrl+K trouve toute commande, F1 ouvre le manuel, et cette visite est dans le menu Aide.</translation>
+    </message>
+</context>
+<context>
+    <name>Transfer</name>
+    <message>
+        <source>The recipe</source>
+        <translation>La recette</translation>
+    </message>
+    <message>
+        <source>Left out: %1. %2</source>
+        <translation>Laissé de côté : %1. %2</translation>
+    </message>
+    <message>
+        <source>what is said of the body &quot;%1&quot;</source>
+        <translation>ce qui est dit du corps « %1 »</translation>
+    </message>
+    <message>
+        <source>The other part has no such body.</source>
+        <translation>L&apos;autre pièce n&apos;a pas de tel corps.</translation>
+    </message>
+    <message>
+        <source>None of its faces was found again.</source>
+        <translation>Aucune de ses faces n&apos;a été retrouvée.</translation>
+    </message>
+    <message>
+        <source>Of the faces of %1, %2 were not found again.</source>
+        <translation>Faces non retrouvées, %1 : %2</translation>
+    </message>
+    <message>
+        <source>It names objects of a body that had been filled anew by then, which another part does not have.</source>
+        <translation>Il nomme des objets d&apos;un corps qui avait été rempli à nouveau, qu&apos;une autre pièce n&apos;a pas.</translation>
+    </message>
+    <message>
+        <source>There is no material in its place.</source>
+        <translation>Il n&apos;y a pas de matière à sa place.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot;</source>
+        <translation>l&apos;outil « %1 »</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is left out: it is an imported part, which has no mirror image.</source>
+        <translation>L&apos;outil « %1 » est laissé de côté : c&apos;est une pièce importée, qui n&apos;a pas d&apos;image dans le miroir.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; keeps its size: it is an imported part.</source>
+        <translation>L&apos;outil « %1 » garde sa taille : c&apos;est une pièce importée.</translation>
+    </message>
+    <message>
+        <source>One of the parts is not closed: there is nothing to carry over.</source>
+        <translation>L&apos;une des pièces n&apos;est pas fermée : il n&apos;y a rien à reporter.</translation>
+    </message>
+    <message>
+        <source>none of the faces was found again on it. Is it another part, or a mirrored one?</source>
+        <translation>aucune des faces n&apos;y a été retrouvée. Est-ce une autre pièce, ou une pièce en miroir ?</translation>
+    </message>
+    <message>
+        <source>a change of material</source>
+        <translation>un changement de matériau</translation>
+    </message>
+    <message>
+        <source>a relaxation</source>
+        <translation>une relaxation</translation>
+    </message>
+    <message>
+        <source>a cut</source>
+        <translation>une coupe</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>la fixation « %1 »</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>la charge « %1 »</translation>
+    </message>
+    <message>
+        <source>The floor is left out: its mirror image would be no floor.</source>
+        <translation>Le sol est laissé de côté : son image dans le miroir n&apos;en serait pas un.</translation>
+    </message>
+    <message>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>la sonde « %1 »</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>la région « %1 »</translation>
+    </message>
+    <message>
+        <source>--mirror &quot;%1&quot; is no mirror; say x, y or z, across which it is mirrored, or the normal of a plane as 1,1,0.</source>
+        <translation>--mirror « %1 » n&apos;est pas un miroir ; dire x, y ou z, ou la normale d&apos;un plan comme 1,1,0.</translation>
+    </message>
+    <message>
+        <source>--scale &quot;%1&quot; is no scale; say auto or a number from 0.001 to 1000.</source>
+        <translation>--scale « %1 » n&apos;est pas une échelle ; dire auto ou un nombre de 0.001 à 1000.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead. A recipe goes to another part with knead run --set part.file=...</source>
+        <translation>ce n&apos;est pas un projet de Knead. Une recette passe à une autre pièce avec knead run --set part.file=...</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>le projet n&apos;a pas d&apos;entrée %1 ; la dernière est %2.</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,78 @@
         <source>Back to the first page with nothing open; what is not saved is asked about</source>
         <translation>Terug naar de eerste pagina met niets open; naar wat niet is opgeslagen wordt gevraagd</translation>
     </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Vervormen met getallen</translation>
+    </message>
+    <message>
+        <source>Bend, twist, taper, stretch, shear or scale the part by numbers between two planes</source>
+        <translation>Het onderdeel tussen twee vlakken met getallen buigen, verdraaien, taps maken, rekken, schuiven of schalen</translation>
+    </message>
+    <message>
+        <source>&amp;Deform by a field...</source>
+        <translation>&amp;Vervormen met een veld...</translation>
+    </message>
+    <message>
+        <source>Move the part by displacements that another program computed, or against them</source>
+        <translation>Het onderdeel verplaatsen volgens verplaatsingen die een ander programma heeft berekend, of er tegenin</translation>
+    </message>
+    <message>
+        <source>Bend...</source>
+        <translation>Buigen...</translation>
+    </message>
+    <message>
+        <source>Bend the part into an arc by an angle or a radius</source>
+        <translation>Het onderdeel met een hoek of straal tot een boog buigen</translation>
+    </message>
+    <message>
+        <source>Twist...</source>
+        <translation>Verdraaien...</translation>
+    </message>
+    <message>
+        <source>Twist the part about an axis by an angle</source>
+        <translation>Het onderdeel met een hoek om een as verdraaien</translation>
+    </message>
+    <message>
+        <source>Taper...</source>
+        <translation>Taps maken...</translation>
+    </message>
+    <message>
+        <source>Make the part thicker or thinner toward one end</source>
+        <translation>Het onderdeel naar één einde toe dikker of dunner maken</translation>
+    </message>
+    <message>
+        <source>Stretch...</source>
+        <translation>Rekken...</translation>
+    </message>
+    <message>
+        <source>Make the part longer or shorter between two planes</source>
+        <translation>Het onderdeel tussen twee vlakken langer of korter maken</translation>
+    </message>
+    <message>
+        <source>Shear...</source>
+        <translation>Schuiven...</translation>
+    </message>
+    <message>
+        <source>Move one end of the part sideways</source>
+        <translation>Eén einde van het onderdeel zijwaarts bewegen</translation>
+    </message>
+    <message>
+        <source>Scale between planes...</source>
+        <translation>Schalen tussen vlakken...</translation>
+    </message>
+    <message>
+        <source>Make one end of the part larger or smaller in all directions</source>
+        <translation>Eén einde van het onderdeel in alle richtingen groter of kleiner maken</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y to another part...</source>
+        <translation>Op een ander onderdeel &amp;toepassen...</translation>
+    </message>
+    <message>
+        <source>Do what was done here to another part, such as the next revision of this one</source>
+        <translation>Met een ander onderdeel, zoals de volgende revisie van dit, doen wat hier is gedaan</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -793,6 +865,29 @@
     </message>
 </context>
 <context>
+    <name>Compensation</name>
+    <message>
+        <source>&quot;faces&quot; names face %1 of %2, which has %3; they are numbered from 0.</source>
+        <translation>&quot;faces&quot; noemt vlak %1 van %2, dat er %3 heeft; ze zijn vanaf 0 genummerd.</translation>
+    </message>
+    <message>
+        <source>&quot;faces&quot; names %1, which is no part of the target; knead info shows their names.</source>
+        <translation>&quot;faces&quot; noemt %1, dat geen onderdeel van het doel is; knead info toont hun namen.</translation>
+    </message>
+    <message>
+        <source>Points every %1 would be more than %2; choose a larger &quot;spacing_mm&quot;.</source>
+        <translation>Punten om de %1 zouden er meer dan %2 zijn; kies een grotere &quot;spacing_mm&quot;.</translation>
+    </message>
+    <message>
+        <source>The target has no surface; name another part.</source>
+        <translation>Het doel heeft geen oppervlak; noem een ander onderdeel.</translation>
+    </message>
+    <message>
+        <source>What came out of round %1 has places that are no numbers; look at what its command wrote.</source>
+        <translation>Wat uit ronde %1 kwam heeft plaatsen die geen getallen zijn; bekijk wat haar opdracht schreef.</translation>
+    </message>
+</context>
+<context>
     <name>Curvature</name>
     <message>
         <source>Curvature</source>
@@ -824,6 +919,325 @@
     <message>
         <source>The plane meets nothing of &quot;%1&quot; that could be cut.</source>
         <translation>Het vlak raakt niets van &quot;%1&quot; dat gesneden kan worden.</translation>
+    </message>
+</context>
+<context>
+    <name>DeformFeature</name>
+    <message>
+        <source>Fields (%1)</source>
+        <translation>Velden (%1)</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Vervormen</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Kom eerst terug naar het heden: Esc.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Vervormen met getallen</translation>
+    </message>
+    <message>
+        <source>No part is selected: click one in the tree, or choose all parts.</source>
+        <translation>Geen onderdeel is geselecteerd: klik er een aan in de boom, of kies alle onderdelen.</translation>
+    </message>
+    <message>
+        <source>Deform by a field</source>
+        <translation>Vervormen met een veld</translation>
+    </message>
+</context>
+<context>
+    <name>DeformPanel</name>
+    <message>
+        <source>Apply</source>
+        <translation>Toepassen</translation>
+    </message>
+    <message>
+        <source>Parts are bent, twisted, tapered, stretched, sheared or scaled by numbers here, or by the displacements of another program: File &gt; Deform by a field.</source>
+        <translation>Hier worden onderdelen met getallen gebogen, verdraaid, taps gemaakt, gerekt, verschoven of geschaald, of met de verplaatsingen van een ander programma: Bestand &gt; Vervormen met een veld.</translation>
+    </message>
+    <message>
+        <source>Deform by numbers</source>
+        <translation>Vervormen met getallen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Esc: everything stays as it is</source>
+        <translation>Esc: alles blijft zoals het is</translation>
+    </message>
+    <message>
+        <source>Enter in the view: the parts become what is shown</source>
+        <translation>Enter in het beeld: de onderdelen worden wat getoond is</translation>
+    </message>
+</context>
+<context>
+    <name>DeformStage</name>
+    <message>
+        <source>Something else was done while the parts were deformed, so they stay as they are. Apply the deformation again.</source>
+        <translation>Terwijl de onderdelen werden vervormd gebeurde er iets anders, dus ze blijven zoals ze zijn. Pas de vervorming opnieuw toe.</translation>
+    </message>
+</context>
+<context>
+    <name>Deformation</name>
+    <message>
+        <source>The field has %1 nodes, but %2 displacements.</source>
+        <translation>Het veld heeft %1 knopen, maar %2 verplaatsingen.</translation>
+    </message>
+    <message>
+        <source>Node %1 of the field has a number that is not finite, or far too large; leave that node out, or write the file again.</source>
+        <translation>Knoop %1 van het veld heeft een getal dat niet eindig is, of veel te groot; laat die knoop weg, of schrijf het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>A bend of %1 mm radius would fold the material on its inner side, which reaches %2 mm from the neutral plane. The radius must be larger than that: take a smaller angle, planes farther apart, or a neutral plane nearer to the inner side.</source>
+        <translation>Een buiging met een straal van %1 mm zou het materiaal aan de binnenkant vouwen, dat tot %2 mm van het neutrale vlak reikt. De straal moet groter zijn: neem een kleinere hoek, grensvlakken verder uit elkaar of een neutraal vlak dichter bij de binnenkant.</translation>
+    </message>
+    <message>
+        <source>A direction of no length is none; give x, y, z, or three numbers.</source>
+        <translation>Een richting zonder lengte is er geen; geef x, y, z of drie getallen.</translation>
+    </message>
+    <message>
+        <source>The side runs along the axis, but must lie across it; choose another one.</source>
+        <translation>De zijde loopt langs de as, maar moet er dwars op liggen; kies een andere.</translation>
+    </message>
+    <message>
+        <source>Only a bend has a radius and a plane that keeps its length; leave them out.</source>
+        <translation>Alleen een buiging heeft een straal en een vlak dat zijn lengte houdt; laat ze weg.</translation>
+    </message>
+    <message>
+        <source>The plane that keeps its length is given twice, by its place and by a k factor; leave one of them out.</source>
+        <translation>Het vlak dat zijn lengte houdt is twee keer opgegeven, door zijn plaats en door een k-factor; laat er een weg.</translation>
+    </message>
+    <message>
+        <source>A k factor is between 0, inside, and 1, outside.</source>
+        <translation>Een k-factor ligt tussen 0, binnen, en 1, buiten.</translation>
+    </message>
+    <message>
+        <source>Angle and radius say where the bend ends; leave out the second plane.</source>
+        <translation>Hoek en straal zeggen waar de buiging eindigt; laat het tweede vlak weg.</translation>
+    </message>
+    <message>
+        <source>The radius of a bend must be larger than 0.</source>
+        <translation>De straal van een buiging moet groter zijn dan 0.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Hoek</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Neutral plane</source>
+        <translation>Neutraal vlak</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschuiving</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Buigen</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torderen</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Versmallen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Rekken</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Afschuiven</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Schalen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts came back from being deformed; nothing was changed.</source>
+        <translation>%1 van %2 onderdelen kwamen vervormd terug; er is niets veranderd.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; this is &quot;%3&quot;.</source>
+        <translation>%1 verwacht %2; dit is &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 says nothing about what stands before it; put it behind the deformation that it is for.</source>
+        <translation>%1 zegt niets over wat ervoor staat; zet het achter de vervorming waarvoor het geldt.</translation>
+    </message>
+    <message>
+        <source>No folder could be made in %1; make room there and try again.</source>
+        <translation>In %1 kon geen map worden gemaakt; maak daar ruimte en probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3, numbered from 0, and meshes have none.</source>
+        <translation>&quot;%1&quot; heeft geen vlak %2; het heeft er %3, genummerd vanaf 0, en netten hebben er geen.</translation>
+    </message>
+    <message>
+        <source>Which part the faces %1 are of is not clear; put its name before them, as Lid:%1.</source>
+        <translation>Van welk onderdeel de vlakken %1 zijn is niet duidelijk; zet de naam ervoor, zoals Deksel:%1.</translation>
+    </message>
+    <message>
+        <source>%1 parts that are deformed are called &quot;%2&quot;, not one; knead info --json lists the names and paths of all.</source>
+        <translation>%1 onderdelen die vervormd worden heten &quot;%2&quot;, niet één; knead info --json noemt de namen en paden van alle.</translation>
+    </message>
+    <message>
+        <source>it has no surface to be deformed.</source>
+        <translation>het heeft geen oppervlak om te vervormen.</translation>
+    </message>
+    <message>
+        <source>There is no part or assembly &quot;%1&quot; in %2; knead info --json lists the names and paths of all.</source>
+        <translation>Er is geen onderdeel of samenstelling &quot;%1&quot; in %2; knead info --json noemt de namen en paden van alle.</translation>
+    </message>
+    <message>
+        <source>The field has no nodes.</source>
+        <translation>Het veld heeft geen knopen.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation is no number.</source>
+        <translation>De factor van een vervorming is geen getal.</translation>
+    </message>
+    <message>
+        <source>Faces that stay where they are need a distance over which the deformation fades.</source>
+        <translation>Vlakken die blijven waar ze zijn, hebben een afstand nodig waarover de vervorming uitloopt.</translation>
+    </message>
+    <message>
+        <source>A face that stays where it is has a corner that is no place.</source>
+        <translation>Een vlak dat blijft waar het is, heeft een hoek die geen plaats is.</translation>
+    </message>
+    <message>
+        <source>The axis of a deformation has a coordinate that is no number.</source>
+        <translation>De as van een vervorming heeft een coördinaat die geen getal is.</translation>
+    </message>
+    <message>
+        <source>A deformation by number has a value that is no number.</source>
+        <translation>Een vervorming met getallen heeft een waarde die geen getal is.</translation>
+    </message>
+    <message>
+        <source>The second plane of a deformation must lie behind the first one, along its axis.</source>
+        <translation>Het tweede vlak van een vervorming moet langs haar as achter het eerste liggen.</translation>
+    </message>
+    <message>
+        <source>The side of a deformation must point across its axis.</source>
+        <translation>De zijde van een vervorming moet dwars op haar as wijzen.</translation>
+    </message>
+    <message>
+        <source>A bend or a twist goes around ten times at most: take a smaller angle, or a larger radius.</source>
+        <translation>Een buiging of verdraaiing gaat hoogstens tien keer rond: neem een kleinere hoek of een grotere straal.</translation>
+    </message>
+    <message>
+        <source>What stays of a deformation lies between its planes: from 0 at the first one to 1 at the second one.</source>
+        <translation>Wat bij een vervorming blijft ligt tussen haar vlakken: van 0 bij het eerste tot 1 bij het tweede.</translation>
+    </message>
+    <message>
+        <source>The factor of a deformation must be larger than 0.</source>
+        <translation>De factor van een vervorming moet groter dan 0 zijn.</translation>
+    </message>
+    <message>
+        <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
+        <translation>Een zachte rek kan niet tot minder dan 0,47 verkorten: het midden zou vouwen. Neem een grotere factor, of laat haar niet zacht beginnen.</translation>
+    </message>
+</context>
+<context>
+    <name>Deforming</name>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Voorbeeld: %1</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 lezen</translation>
+    </message>
+    <message>
+        <source>Preview: deformed by %1</source>
+        <translation>Voorbeeld: vervormd met %1</translation>
+    </message>
+    <message>
+        <source>The field turns material inside out near %1, %2, %3 mm. Take a smaller factor.</source>
+        <translation>Het veld keert materiaal binnenstebuiten bij %1, %2, %3 mm. Neem een kleinere factor.</translation>
+    </message>
+    <message>
+        <source>Deformed by %1</source>
+        <translation>Vervormd met %1</translation>
+    </message>
+    <message>
+        <source>Deformed by %1, times %2</source>
+        <translation>Vervormd met %1, maal %2</translation>
+    </message>
+    <message>
+        <source>Deforming by %1</source>
+        <translation>Vervormen met %1</translation>
+    </message>
+    <message>
+        <source>The second plane must lie behind the first one, along the axis.</source>
+        <translation>Het tweede vlak moet langs de as achter het eerste liggen.</translation>
+    </message>
+    <message>
+        <source>Select a flat face first, whose normal is to be the axis.</source>
+        <translation>Selecteer eerst een plat vlak waarvan de normaal de as wordt.</translation>
+    </message>
+    <message>
+        <source>The bend is tighter than the material allows, which would fold: at least a radius of %1, or at most %2 between these planes.</source>
+        <translation>De bocht is krapper dan het materiaal toelaat, dat zou vouwen: een straal van minstens %1, of hoogstens %2 tussen deze vlakken.</translation>
+    </message>
+    <message>
+        <source>Bent by %1</source>
+        <translation>%1 gebogen</translation>
+    </message>
+    <message>
+        <source>Twisted by %1</source>
+        <translation>%1 verdraaid</translation>
+    </message>
+    <message>
+        <source>Tapered to %1</source>
+        <translation>Taps tot %1</translation>
+    </message>
+    <message>
+        <source>Stretched to %1</source>
+        <translation>Gerekt tot %1</translation>
+    </message>
+    <message>
+        <source>Sheared by %1</source>
+        <translation>%1 verschoven</translation>
+    </message>
+    <message>
+        <source>Scaled to %1</source>
+        <translation>Geschaald tot %1</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Buigen</translation>
+    </message>
+    <message>
+        <source>Twisting</source>
+        <translation>Verdraaien</translation>
+    </message>
+    <message>
+        <source>Tapering</source>
+        <translation>Taps maken</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Rekken</translation>
+    </message>
+    <message>
+        <source>Shearing</source>
+        <translation>Schuiven</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Schalen</translation>
     </message>
 </context>
 <context>
@@ -1711,6 +2125,22 @@
         <source>there is nothing to export.</source>
         <translation>er valt niets te exporteren.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot;: its faces could not be divided at the planes of the deformation; each is one surface across them.</source>
+        <translation>&quot;%1&quot;: de vlakken konden niet worden gedeeld bij de grensvlakken van de vervorming; elk is één oppervlak daaroverheen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
+        <translation>&quot;%1&quot;: 1 vlak is gedeeld bij de grensvlakken van de vervorming.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces were divided at the planes of the deformation.</source>
+        <translation>&quot;%1&quot;: %2 vlakken zijn gedeeld bij de grensvlakken van de vervorming.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
+        <translation>&quot;%1&quot;: alle vervormingen zijn in één stap uitgevoerd, over de grensvlakken van afzonderlijke heen.</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -1820,6 +2250,10 @@
     <message>
         <source>Not everything in %1 is sound; the export report says what is not.</source>
         <translation>Niet alles in %1 is in orde; het exportverslag zegt wat niet.</translation>
+    </message>
+    <message>
+        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
+        <translation>Niet alles wat de vervorming opleverde is in orde; het exportverslag zegt wat niet. Ongedaan maken gaat terug naar het onderdeel zoals het was.</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2389,372 @@
     <message>
         <source>Exported parts</source>
         <translation>Geëxporteerde onderdelen</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>at %1</source>
+        <translation>bij %1</translation>
+    </message>
+    <message>
+        <source>on face %1, at %2</source>
+        <translation>op vlak %1, bij %2</translation>
+    </message>
+    <message>
+        <source>The nodes of the field span %1 mm, the parts %2 mm: the numbers seem to be %3. Choose &quot;%4&quot; as the unit of the field.</source>
+        <translation>De knopen van het veld beslaan %1 mm, de delen %2 mm: de getallen lijken %3 te zijn. Kies &quot;%4&quot; als eenheid van het veld.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but lies elsewhere: its middle is at %1, theirs at %2. Move the parts there, or write the field where they are.</source>
+        <translation>Het veld heeft de grootte van de delen, maar ligt ergens anders: zijn midden is bij %1, dat van hen bij %2. Verplaats de delen daarheen, of schrijf het veld waar zij zijn.</translation>
+    </message>
+    <message>
+        <source>The field has the size of the parts, but is turned: it spans %1 mm, they span %2 mm. Turn the parts, or write the field with the axes that they have.</source>
+        <translation>Het veld heeft de grootte van de delen, maar is gedraaid: het beslaat %1 mm, zij beslaan %2 mm. Draai de delen, of schrijf het veld met hun assen.</translation>
+    </message>
+    <message>
+        <source>The field is not of these parts: %1 % of their surface lies far from all of its nodes, at most %2 mm (%3). The field spans %4 mm, the parts %5 mm.</source>
+        <translation>Het veld hoort niet bij deze delen: %1 % van hun oppervlak ligt ver van al zijn knopen, hoogstens %2 mm (%3). Het veld beslaat %4 mm, de delen %5 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface has no nodes of the field near it; there the field is continued. The farthest place lies %2 mm from a node, %3.</source>
+        <translation>%1 % van het oppervlak heeft geen knopen van het veld in de buurt; daar wordt het veld voortgezet. De verste plaats ligt %2 mm van een knoop, %3.</translation>
+    </message>
+    <message>
+        <source>The field folds the material %1: its volume there would be %2 times what it was. Take a smaller factor, or keep faces there as they are.</source>
+        <translation>Het veld vouwt het materiaal %1: zijn volume zou daar %2 keer zijn wat het was. Neem een kleinere factor, of laat vlakken daar zoals ze zijn.</translation>
+    </message>
+    <message>
+        <source>%1 % of the nodes move otherwise than those beside them, most at %2, by %3 mm: two sides of a slit, or noise. A smooth field passes between them.</source>
+        <translation>%1 % van de knopen bewegen anders dan die ernaast, het meest bij %2, met %3 mm: twee kanten van een spleet, of ruis. Een glad veld gaat ertussendoor.</translation>
+    </message>
+    <message>
+        <source>The scan was moved by (%1, %2, %3) mm and turned by %4 degrees, so that it lies on the part.</source>
+        <translation>De scan is met (%1, %2, %3) mm verplaatst en %4 graden gedraaid, zodat hij op het deel ligt.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 points of the part the scan says nothing to go by, as where it has a hole; the field is continued there. The farthest lies %3 mm from the scan, at %4.</source>
+        <translation>Op %1 van %2 punten van het deel zegt de scan niets bruikbaars, zoals waar hij een gat heeft; daar wordt het veld voortgezet. Het verste ligt %3 mm van de scan, bij %4.</translation>
+    </message>
+    <message>
+        <source>The scan or the part has no triangles.</source>
+        <translation>De scan of het deel heeft geen driehoeken.</translation>
+    </message>
+    <message>
+        <source>The scan has a corner that is no place.</source>
+        <translation>De scan heeft een hoek die geen plaats is.</translation>
+    </message>
+    <message>
+        <source>The triangles of the scan have no area.</source>
+        <translation>De driehoeken van de scan hebben geen oppervlakte.</translation>
+    </message>
+    <message>
+        <source>The scan does not lie on the part: only %1 % of it does, however it is turned. Look at its unit, or lay it on the part and say that it stays in place.</source>
+        <translation>De scan ligt niet op het deel: slechts %1 % ervan, hoe hij ook gedraaid wordt. Kijk naar zijn eenheid, of leg hem op het deel en zeg dat hij daar blijft.</translation>
+    </message>
+    <message>
+        <source>CalculiX results</source>
+        <translation>CalculiX-resultaten</translation>
+    </message>
+    <message>
+        <source>VTK</source>
+        <translation>VTK</translation>
+    </message>
+    <message>
+        <source>Gmsh</source>
+        <translation>Gmsh</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Abaqus report</source>
+        <translation>Abaqus-rapport</translation>
+    </message>
+    <message>
+        <source>Abaqus or CalculiX input</source>
+        <translation>Invoer van Abaqus of CalculiX</translation>
+    </message>
+    <message>
+        <source>The cracks of &quot;%1&quot; could not be made into surfaces: values at nodes beside them may be those of the other side.</source>
+        <translation>Van de scheuren van “%1” konden geen vlakken worden gemaakt: waarden bij knopen ernaast kunnen die van de andere kant zijn.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes lie outside of all bodies and have no values; the farthest is %3 away, at (%4, %5, %6). Check the unit of the mesh, and whether its nodes lie in the parts as they were opened or as they are now.</source>
+        <translation>%1 van %2 knopen liggen buiten alle lichamen en hebben geen waarden; de verste is %3 verwijderd, bij (%4, %5, %6). Controleer de eenheid van het net, en of de knopen in de delen liggen zoals ze werden geopend of zoals ze nu zijn.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, there is no number %2; choose another one.</source>
+        <translation>het heeft %1 tijdstappen, een nummer %2 is er niet; kies een andere.</translation>
+    </message>
+    <message>
+        <source>it has no vectors at nodes; write the displacements of the nodes into it, too.</source>
+        <translation>het heeft geen vectoren op knopen; schrijf er ook de verplaatsingen van de knopen in.</translation>
+    </message>
+    <message>
+        <source>it has no vectors called %1 at its nodes; it has %2.</source>
+        <translation>het heeft geen vectoren met de naam %1 op zijn knopen; het heeft %2.</translation>
+    </message>
+    <message>
+        <source>several vectors could be the displacements: %1; say which.</source>
+        <translation>meerdere vectoren kunnen de verplaatsingen zijn: %1; zeg welke.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 values for %3 nodes; write the file again with the program it comes from.</source>
+        <translation>%1 heeft %2 waarden voor %3 knopen; schrijf het bestand opnieuw met het programma waar het vandaan komt.</translation>
+    </message>
+    <message>
+        <source>an element has node %1, which is missing; write the file again.</source>
+        <translation>een element heeft knoop %1, die ontbreekt; schrijf het bestand opnieuw.</translation>
+    </message>
+    <message>
+        <source>the file is damaged; write it again with the program it comes from.</source>
+        <translation>het bestand is beschadigd; schrijf het opnieuw met het programma waar het vandaan komt.</translation>
+    </message>
+    <message>
+        <source>this is no file of displacements; they are read from %1 files.</source>
+        <translation>dit is geen bestand met verplaatsingen; die worden gelezen uit %1-bestanden.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; write the results with the mesh.</source>
+        <translation>het heeft geen knopen; schrijf de resultaten met het net.</translation>
+    </message>
+    <message>
+        <source>The file has %1 time steps; the last one was read (%2).</source>
+        <translation>Het bestand heeft %1 tijdstappen; de laatste is gelezen (%2).</translation>
+    </message>
+    <message>
+        <source>no node in it has a displacement; write the displacements into it, too.</source>
+        <translation>geen knoop erin heeft een verplaatsing; schrijf er ook de verplaatsingen in.</translation>
+    </message>
+    <message>
+        <source>%1 has another number of values than there are nodes; nothing was written.</source>
+        <translation>%1 heeft een ander aantal waarden dan er knopen zijn; er is niets geschreven.</translation>
+    </message>
+    <message>
+        <source>fields at nodes are written to .vtu and .csv files.</source>
+        <translation>velden op knopen worden naar .vtu- en .csv-bestanden geschreven.</translation>
+    </message>
+    <message>
+        <source>it is a Gmsh file of version %1, which is not read; save it in version 4.1 or 2.2.</source>
+        <translation>het is een Gmsh-bestand van versie %1, die niet gelezen wordt; sla het op in versie 4.1 of 2.2.</translation>
+    </message>
+    <message>
+        <source>its bytes are in the order of another kind of computer; save it as text (ASCII).</source>
+        <translation>de bytes staan in de volgorde van een ander soort computer; sla het op als tekst (ASCII).</translation>
+    </message>
+    <message>
+        <source>it has elements of Gmsh&apos;s type %1, which is not known; leave them out.</source>
+        <translation>het heeft elementen van Gmsh-type %1, dat niet bekend is; laat ze weg.</translation>
+    </message>
+    <message>
+        <source>its nodes stand in other files that it includes; give the file with *NODE.</source>
+        <translation>de knopen staan in andere bestanden die het insluit; geef het bestand met *NODE.</translation>
+    </message>
+    <message>
+        <source>it has no nodes; a mesh has them behind *NODE.</source>
+        <translation>het heeft geen knopen; een net heeft ze achter *NODE.</translation>
+    </message>
+    <message>
+        <source>%1 elements are of kinds that are not read and were left out.</source>
+        <translation>%1 elementen zijn van soorten die niet gelezen worden en zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>this is an input of Abaqus or CalculiX, without displacements; give the results (.frd).</source>
+        <translation>dit is invoer van Abaqus of CalculiX, zonder verplaatsingen; geef de resultaten (.frd).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes have no displacement and were left out.</source>
+        <translation>%1 van %2 knopen hebben geen verplaatsing en zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>%1 nodes lie where another one does; each such place has the mean of their displacements.</source>
+        <translation>%1 knopen liggen waar al een andere ligt; elke zulke plek heeft het gemiddelde van hun verplaatsingen.</translation>
+    </message>
+    <message>
+        <source>the collection names no files.</source>
+        <translation>de verzameling noemt geen bestanden.</translation>
+    </message>
+    <message>
+        <source>the report has no coordinates; write COORD of the nodes into it beside U.</source>
+        <translation>het rapport heeft geen coördinaten; schrijf er COORD van de knopen naast U in.</translation>
+    </message>
+    <message>
+        <source>the report has no table with values of nodes.</source>
+        <translation>het rapport heeft geen tabel met waarden van knopen.</translation>
+    </message>
+    <message>
+        <source>%1 lines hold no numbers where they should and were left out.</source>
+        <translation>%1 regels hebben geen getallen waar die horen en zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>there are no lines of numbers in it; a table has a line per node with X, Y, Z, DX, DY, DZ.</source>
+        <translation>er staan geen regels met getallen in; een tabel heeft een regel per knoop met X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>it cannot be told what its %1 columns are; name them in the first line: X, Y, Z, DX, DY, DZ.</source>
+        <translation>wat de %1 kolommen zijn is niet te zien; noem ze in de eerste regel: X, Y, Z, DX, DY, DZ.</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off at line %1; write it again with the program it comes from.</source>
+        <translation>het bestand is op regel %1 beschadigd of afgebroken; schrijf het opnieuw met het programma waar het vandaan komt.</translation>
+    </message>
+    <message>
+        <source>it holds texts as bytes, which are not read; save it as text (ASCII).</source>
+        <translation>het bevat teksten als bytes, die niet gelezen worden; sla het op als tekst (ASCII).</translation>
+    </message>
+    <message>
+        <source>this VTK file is of the kind %1, which is not read; save it as an unstructured grid (.vtu).</source>
+        <translation>dit VTK-bestand is van de soort %1, die niet gelezen wordt; sla het op als ongestructureerd rooster (.vtu).</translation>
+    </message>
+    <message>
+        <source>its numbers are compressed by %1, which is not read; save it with zlib or without compression.</source>
+        <translation>de getallen zijn ingepakt met %1, wat niet gelezen wordt; sla het op met zlib of zonder compressie.</translation>
+    </message>
+    <message>
+        <source>the file asks for more memory than there is; write fewer steps and values into it.</source>
+        <translation>het bestand vraagt meer geheugen dan er is; schrijf er minder stappen en waarden in.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; the file is damaged or far too large.</source>
+        <translation>Er is niets gelezen; het bestand is beschadigd of veel te groot.</translation>
+    </message>
+    <message>
+        <source>Nothing was read; write the file again, best as .vtu.</source>
+        <translation>Er is niets gelezen; schrijf het bestand opnieuw, het liefst als .vtu.</translation>
+    </message>
+    <message>
+        <source>the reader&apos;s result is damaged (%1). Nothing was read; try again.</source>
+        <translation>het resultaat van de lezer is beschadigd (%1). Er is niets gelezen; probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>Values at nodes need a mesh and a file to write: give --nodes and the output.</source>
+        <translation>Waarden bij knopen hebben een net nodig en een bestand om te schrijven: geef --nodes en de uitvoer op.</translation>
+    </message>
+    <message>
+        <source>There is no field &quot;%1&quot;; known are %2.</source>
+        <translation>Er is geen veld “%1”; bekend zijn %2.</translation>
+    </message>
+    <message>
+        <source>values at nodes are written to .vtu, .csv and .inp files.</source>
+        <translation>waarden bij knopen worden naar bestanden .vtu, .csv en .inp geschreven.</translation>
+    </message>
+    <message>
+        <source>no node lies in the bodies.</source>
+        <translation>geen knoop ligt in de lichamen.</translation>
+    </message>
+    <message>
+        <source>there is nothing to write: the mesh has no solid elements for stress, and no displaced nodes were asked for.</source>
+        <translation>er is niets te schrijven: het net heeft geen volume-elementen voor spanning, en verplaatste knopen zijn niet gevraagd.</translation>
+    </message>
+    <message>
+        <source>The coordinates are those in the report; where Abaqus computed with large displacements they are the moved ones: take those of the first frame then.</source>
+        <translation>De coördinaten zijn die van het rapport; heeft Abaqus met grote verplaatsingen gerekend, dan zijn het de verplaatste: neem dan die van het eerste frame.</translation>
+    </message>
+    <message>
+        <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
+        <translation>een knoop heeft een coördinaat die geen getal is of veel te groot; schrijf het bestand opnieuw.</translation>
+    </message>
+</context>
+<context>
+    <name>FieldPage</name>
+    <message>
+        <source>Choose faces</source>
+        <translation>Vlakken kiezen</translation>
+    </message>
+    <message>
+        <source>Keep none</source>
+        <translation>Geen behouden</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pijlen</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Kleuren</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stap</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Veld</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Eenheid</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Nothing moves along this axis</source>
+        <translation>Langs deze as beweegt niets</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Vergrendeld</translation>
+    </message>
+    <message>
+        <source>Faces that stay</source>
+        <translation>Vlakken die blijven</translation>
+    </message>
+    <message>
+        <source>Fades within</source>
+        <translation>Vervaagt over</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Om te bekijken</translation>
+    </message>
+    <message>
+        <source>Exaggerated</source>
+        <translation>Overdreven</translation>
+    </message>
+    <message>
+        <source>Largest way</source>
+        <translation>Grootste weg</translation>
+    </message>
+    <message>
+        <source>Click faces in the view that are to stay exactly where they are, then press this again</source>
+        <translation>Klik in het beeld op vlakken die precies moeten blijven waar ze zijn, en druk hier dan nogmaals op</translation>
+    </message>
+    <message>
+        <source>Of the displacements; -1 goes the other way, as one compensates</source>
+        <translation>Van de verplaatsingen; -1 gaat de andere kant op, zoals men compenseert</translation>
+    </message>
+    <message>
+        <source>by the part</source>
+        <translation>naar het onderdeel</translation>
+    </message>
+    <message>
+        <source>From the faces that stay to where the whole field holds</source>
+        <translation>Van de vlakken die blijven tot waar het hele veld geldt</translation>
+    </message>
+    <message>
+        <source>Only of what is seen before it is applied</source>
+        <translation>Alleen van wat men ziet voordat het wordt toegepast</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file</source>
+        <translation>Van lengten in het bestand</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 nodes</source>
+        <translation>%1: %2, %3 knopen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>geen</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Opmerkingen</translation>
     </message>
 </context>
 <context>
@@ -4905,6 +5705,137 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>NumberPage</name>
+    <message>
+        <source>Begins and ends gently</source>
+        <translation>Begint en eindigt geleidelijk</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>The selected ones</source>
+        <translation>De geselecteerde</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Onderdelen</translation>
+    </message>
+    <message>
+        <source>The longest side</source>
+        <translation>De langste zijde</translation>
+    </message>
+    <message>
+        <source>Normal of the selected face</source>
+        <translation>Normaal van het geselecteerde vlak</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>As</translation>
+    </message>
+    <message>
+        <source>First plane</source>
+        <translation>Eerste vlak</translation>
+    </message>
+    <message>
+        <source>Where it begins, along the axis from the origin</source>
+        <translation>Waar het begint, langs de as vanaf de oorsprong</translation>
+    </message>
+    <message>
+        <source>Second plane</source>
+        <translation>Tweede vlak</translation>
+    </message>
+    <message>
+        <source>Where it ends, along the axis from the origin</source>
+        <translation>Waar het eindigt, langs de as vanaf de oorsprong</translation>
+    </message>
+    <message>
+        <source>Toward</source>
+        <translation>Naar</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Hoek</translation>
+    </message>
+    <message>
+        <source>Of the second plane against the first one; below 0 the other way</source>
+        <translation>Van het tweede vlak ten opzichte van het eerste; onder 0 de andere kant op</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Straal</translation>
+    </message>
+    <message>
+        <source>Of the line that keeps its length; the angle follows</source>
+        <translation>Van de lijn die haar lengte houdt; de hoek volgt</translation>
+    </message>
+    <message>
+        <source>Neutral line</source>
+        <translation>Neutrale lijn</translation>
+    </message>
+    <message>
+        <source>What keeps its length: 0 at the inner side, 1 at the outer one. Sheet metal has some 0.33 to 0.5, its k-factor</source>
+        <translation>Wat zijn lengte houdt: 0 aan de binnenzijde, 1 aan de buitenzijde. Plaatwerk heeft zo&apos;n 0,33 tot 0,5, zijn k-factor</translation>
+    </message>
+    <message>
+        <source>Neutral place</source>
+        <translation>Neutrale plaats</translation>
+    </message>
+    <message>
+        <source>The same as a place along the side that it bends toward</source>
+        <translation>Hetzelfde als plaats langs de zijde waarheen het buigt</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Of the second plane; 1 changes nothing</source>
+        <translation>Van het tweede vlak; 1 verandert niets</translation>
+    </message>
+    <message>
+        <source>New length</source>
+        <translation>Nieuwe lengte</translation>
+    </message>
+    <message>
+        <source>Between the planes afterwards; the factor follows</source>
+        <translation>Daarna tussen de vlakken; de factor volgt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschuiving</translation>
+    </message>
+    <message>
+        <source>Of the second plane, sideways</source>
+        <translation>Van het tweede vlak, zijwaarts</translation>
+    </message>
+    <message>
+        <source>The first plane</source>
+        <translation>Het eerste vlak</translation>
+    </message>
+    <message>
+        <source>The middle</source>
+        <translation>Het midden</translation>
+    </message>
+    <message>
+        <source>The second plane</source>
+        <translation>Het tweede vlak</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Blijft op zijn plaats</translation>
+    </message>
+    <message>
+        <source>Without a crease at the planes; in the middle there is then more of it</source>
+        <translation>Zonder knik bij de vlakken; in het midden is het dan meer</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>recht</translation>
+    </message>
+</context>
+<context>
     <name>OffscreenRenderer</name>
     <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
@@ -4917,6 +5848,49 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Het grafische stuurprogramma tekent alleen voor het venster, dus er kan niets worden opgenomen. Start Knead met LIBGL_ALWAYS_SOFTWARE=1 in zijn omgeving om zonder het stuurprogramma op te nemen.</translation>
+    </message>
+</context>
+<context>
+    <name>OtherPartFeature</name>
+    <message>
+        <source>%1 of %2 faces were found again.</source>
+        <translation>%1 van %2 vlakken zijn teruggevonden.</translation>
+    </message>
+    <message>
+        <source>Moved: %1 by %2 mm</source>
+        <translation>Verplaatst: %1 met %2 mm</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>en nog %1</translation>
+    </message>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Op een ander onderdeel toepassen</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Onderdelen (%1)</translation>
+    </message>
+    <message>
+        <source>Finding the faces again on %1</source>
+        <translation>De vlakken worden op %1 teruggezocht</translation>
+    </message>
+    <message>
+        <source>This is what was found again on %1:</source>
+        <translation>Dit is op %1 teruggevonden:</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Openen</translation>
+    </message>
+    <message>
+        <source>Apply to %1</source>
+        <translation>Toepassen op %1</translation>
+    </message>
+    <message>
+        <source>Play carries out on %1 what was done before.</source>
+        <translation>Afspelen voert op %1 uit wat eerder is gedaan.</translation>
     </message>
 </context>
 <context>
@@ -6467,6 +7441,74 @@ Gesimuleerd: %2, stap %3
         <source>The probes of this recipe are read by &quot;knead run&quot;. Put probes on the part to read them here.</source>
         <translation>De sondes van dit recept worden door &quot;knead run&quot; gelezen. Zet sondes op het onderdeel om ze hier te lezen.</translation>
     </message>
+    <message>
+        <source>&quot;deform&quot; names the body &quot;%1&quot;, which the part does not have.</source>
+        <translation>&quot;deform&quot; noemt het lichaam &quot;%1&quot;, dat het onderdeel niet heeft.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces; name the body that they are of.</source>
+        <translation>&quot;deform&quot; laat vlakken op hun plaats; noem het lichaam waar ze bij horen.</translation>
+    </message>
+    <message>
+        <source>Fields in files cannot be read here; deform by numbers, or use &quot;knead morph&quot;.</source>
+        <translation>Velden in bestanden kunnen hier niet worden gelezen; vervorm met getallen, of gebruik &quot;knead morph&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; did not come out sound when it was deformed; look at it closely.</source>
+        <translation>&quot;%1&quot; kwam niet gaaf uit de vervorming; bekijk het goed.</translation>
+    </message>
+    <message>
+        <source>does not belong to the kind %1.</source>
+        <translation>hoort niet bij de soort %1.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg, angle_rad and radius_mm.</source>
+        <translation>moet precies één van de sleutels angle_deg, angle_rad en radius_mm hebben.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys angle_deg and angle_rad.</source>
+        <translation>moet precies één van de sleutels angle_deg en angle_rad hebben.</translation>
+    </message>
+    <message>
+        <source>must point across the axis.</source>
+        <translation>moet dwars op de as wijzen.</translation>
+    </message>
+    <message>
+        <source>must be larger than from_mm.</source>
+        <translation>moet groter zijn dan from_mm.</translation>
+    </message>
+    <message>
+        <source>cannot be: %1</source>
+        <translation>kan niet: %1</translation>
+    </message>
+    <message>
+        <source>must have both of the keys kept_faces and fade_mm, or none.</source>
+        <translation>moet beide sleutels kept_faces en fade_mm hebben, of geen van beide.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
+        <translation>de onderdelen zijn met getallen of met een veld vervormd, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
+        <translation>De onderdelen zijn met getallen of met een veld vervormd: het recept neemt ze uit het project, zoals ze toen waren.</translation>
+    </message>
+    <message>
+        <source>parts beside the first that were placed cannot be written.</source>
+        <translation>onderdelen die naast het eerste zijn geplaatst kunnen niet worden geschreven.</translation>
+    </message>
+    <message>
+        <source>pictures to write cannot be written into a recipe.</source>
+        <translation>te schrijven afbeeldingen kunnen niet in een recept worden gezet.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps face %1 of &quot;%2&quot;, which has %3; they are numbered from 0.</source>
+        <translation>„deform” houdt vlak %1 van „%2” vast, dat er %3 heeft; ze zijn vanaf 0 genummerd.</translation>
+    </message>
+    <message>
+        <source>is so small that the bend goes around more than ten times; take a larger one.</source>
+        <translation>is zo klein dat de buiging meer dan tien keer rondgaat; neem een grotere.</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
@@ -7430,6 +8472,21 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Session field</name>
+    <message>
+        <source>&quot;%1&quot; is cracked, cut or in pieces there, and a field cannot tear: it says what became of the largest piece, as if it were whole.</source>
+        <translation>&quot;%1&quot; is daar gescheurd, gesneden of in stukken, en een veld kan niet scheuren: het zegt wat er van het grootste stuk is geworden, alsof het heel was.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead.</source>
+        <translation>dit is geen project van Knead.</translation>
+    </message>
+    <message>
+        <source>nothing has moved at its entry %1: there is no field.</source>
+        <translation>bij stap %1 is niets bewogen: er is geen veld.</translation>
+    </message>
+</context>
+<context>
     <name>Shortcuts</name>
     <message>
         <source>drives the selected tool</source>
@@ -7536,6 +8593,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Redo</source>
         <translation>Opnieuw</translation>
+    </message>
+    <message>
+        <source>Come back to the present first: Esc.</source>
+        <translation>Kom eerst terug naar het heden: Esc.</translation>
     </message>
 </context>
 <context>
@@ -7867,6 +8928,26 @@ Gesimuleerd: %2, stap %3
         <source>done</source>
         <translation>klaar</translation>
     </message>
+    <message>
+        <source>dividing faces</source>
+        <translation>vlakken worden gedeeld</translation>
+    </message>
+    <message>
+        <source>fitting the field</source>
+        <translation>het veld aanpassen</translation>
+    </message>
+    <message>
+        <source>comparing the field with the parts</source>
+        <translation>het veld met de delen vergelijken</translation>
+    </message>
+    <message>
+        <source>placing the scan</source>
+        <translation>de scan plaatsen</translation>
+    </message>
+    <message>
+        <source>comparing the scan with the part</source>
+        <translation>de scan met het deel vergelijken</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -8052,6 +9133,37 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>het bestand bevat alleen krommen en punten, geen lichaam en geen oppervlak; exporteer het onderdeel als lichaam.</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>must name a face; leave the part out where none counts.</source>
+        <translation>moet een vlak noemen; laat het onderdeel weg waar er geen telt.</translation>
+    </message>
+    <message>
+        <source>must name a part; leave the key out where all faces count.</source>
+        <translation>moet een onderdeel noemen; laat de sleutel weg waar alle vlakken tellen.</translation>
+    </message>
+    <message>
+        <source>must be the name of a file in the folder of the round, without folders</source>
+        <translation>moet de naam van een bestand in de map van de ronde zijn, zonder mappen</translation>
+    </message>
+    <message>
+        <source>has the name of another one; all of them go into one folder.</source>
+        <translation>heet als een ander; ze gaan allemaal in één map.</translation>
+    </message>
+    <message>
+        <source>must have exactly one of the keys recipe and command.</source>
+        <translation>moet precies één van de sleutels recipe en command hebben.</translation>
+    </message>
+    <message>
+        <source>must have the key &quot;field&quot;: the file that the command writes.</source>
+        <translation>moet de sleutel &quot;field&quot; hebben: het bestand dat de opdracht schrijft.</translation>
+    </message>
+    <message>
+        <source>belongs to a command; a recipe needs none.</source>
+        <translation>hoort bij een opdracht; een recept heeft dat niet nodig.</translation>
     </message>
 </context>
 <context>
@@ -8371,6 +9483,42 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>material, stiffness, rubber, steel</source>
         <translation>materiaal, stijfheid, rubber, staal</translation>
+    </message>
+    <message>
+        <source>revision, version, transfer, repeat, other part</source>
+        <translation>revisie, versie, overbrengen, herhalen, ander onderdeel</translation>
+    </message>
+    <message>
+        <source>flex, morph, warp, deformer, free form, global modeling</source>
+        <translation>flexen, morphen, kromtrekken, vrije vorm</translation>
+    </message>
+    <message>
+        <source>flex, curl, arc, curve, sheet metal, k-factor, tube, roll</source>
+        <translation>krommen, boog, bocht, plaatwerk, k-factor, buis, zetten</translation>
+    </message>
+    <message>
+        <source>wring, flex, screw, turn, helix, torsion</source>
+        <translation>wringen, schroef, draaien, helix, torsie</translation>
+    </message>
+    <message>
+        <source>flex, cone, draft, narrow, widen</source>
+        <translation>kegel, conus, lossing, versmallen, verbreden</translation>
+    </message>
+    <message>
+        <source>flex, lengthen, shorten, elongate, compress</source>
+        <translation>verlengen, verkorten, samendrukken</translation>
+    </message>
+    <message>
+        <source>offset, skew, slant, joggle, sideways</source>
+        <translation>verspringing, schuin, scheef, zijwaarts</translation>
+    </message>
+    <message>
+        <source>enlarge, shrink, size, grow</source>
+        <translation>vergroten, verkleinen, grootte, groeien</translation>
+    </message>
+    <message>
+        <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
+        <translation>verplaatsingen, EEM, CalculiX, Abaqus, kromtrekken, terugvering, compensatie, veld, vtu, frd</translation>
     </message>
 </context>
 <context>
@@ -8754,6 +9902,109 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Ctrl+Z neemt terug wat u ook deed. Ctrl+K vindt elke opdracht, F1 opent het handboek, en deze rondleiding staat in het menu Help.</translation>
+    </message>
+</context>
+<context>
+    <name>Transfer</name>
+    <message>
+        <source>The recipe</source>
+        <translation>Het recept</translation>
+    </message>
+    <message>
+        <source>Left out: %1. %2</source>
+        <translation>Weggelaten: %1. %2</translation>
+    </message>
+    <message>
+        <source>what is said of the body &quot;%1&quot;</source>
+        <translation>wat van het lichaam &quot;%1&quot; wordt gezegd</translation>
+    </message>
+    <message>
+        <source>The other part has no such body.</source>
+        <translation>Het andere onderdeel heeft zo&apos;n lichaam niet.</translation>
+    </message>
+    <message>
+        <source>None of its faces was found again.</source>
+        <translation>Geen van de vlakken is teruggevonden.</translation>
+    </message>
+    <message>
+        <source>Of the faces of %1, %2 were not found again.</source>
+        <translation>Niet teruggevonden vlakken, %1: %2</translation>
+    </message>
+    <message>
+        <source>It names objects of a body that had been filled anew by then, which another part does not have.</source>
+        <translation>Het noemt objecten van een lichaam dat intussen opnieuw was gevuld; een ander onderdeel heeft die niet.</translation>
+    </message>
+    <message>
+        <source>There is no material in its place.</source>
+        <translation>Op die plaats is geen materiaal.</translation>
+    </message>
+    <message>
+        <source>the tool &quot;%1&quot;</source>
+        <translation>het gereedschap &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is left out: it is an imported part, which has no mirror image.</source>
+        <translation>Het gereedschap &quot;%1&quot; vervalt: het is een geïmporteerd onderdeel, dat geen spiegelbeeld heeft.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; keeps its size: it is an imported part.</source>
+        <translation>Het gereedschap &quot;%1&quot; houdt zijn grootte: het is een geïmporteerd onderdeel.</translation>
+    </message>
+    <message>
+        <source>One of the parts is not closed: there is nothing to carry over.</source>
+        <translation>Een van de onderdelen is niet gesloten: er is niets over te brengen.</translation>
+    </message>
+    <message>
+        <source>none of the faces was found again on it. Is it another part, or a mirrored one?</source>
+        <translation>geen van de vlakken is erop teruggevonden. Is het een ander onderdeel, of een gespiegeld?</translation>
+    </message>
+    <message>
+        <source>a change of material</source>
+        <translation>een wijziging van het materiaal</translation>
+    </message>
+    <message>
+        <source>a relaxation</source>
+        <translation>een ontspanning</translation>
+    </message>
+    <message>
+        <source>a cut</source>
+        <translation>een snede</translation>
+    </message>
+    <message>
+        <source>the fixture &quot;%1&quot;</source>
+        <translation>de inklemming &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the load &quot;%1&quot;</source>
+        <translation>de belasting &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The floor is left out: its mirror image would be no floor.</source>
+        <translation>De vloer vervalt: het spiegelbeeld ervan zou geen vloer zijn.</translation>
+    </message>
+    <message>
+        <source>the probe &quot;%1&quot;</source>
+        <translation>de sonde &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the region &quot;%1&quot;</source>
+        <translation>het gebied &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--mirror &quot;%1&quot; is no mirror; say x, y or z, across which it is mirrored, or the normal of a plane as 1,1,0.</source>
+        <translation>--mirror &quot;%1&quot; is geen spiegel; geef x, y of z, of de normaal van een vlak zoals 1,1,0.</translation>
+    </message>
+    <message>
+        <source>--scale &quot;%1&quot; is no scale; say auto or a number from 0.001 to 1000.</source>
+        <translation>--scale &quot;%1&quot; is geen schaal; geef auto of een getal van 0.001 tot 1000.</translation>
+    </message>
+    <message>
+        <source>this is no project of Knead. A recipe goes to another part with knead run --set part.file=...</source>
+        <translation>dit is geen project van Knead. Naar een ander onderdeel gaat een recept met knead run --set part.file=...</translation>
+    </message>
+    <message>
+        <source>the project has no entry %1; its last is %2.</source>
+        <translation>het project heeft geen stap %1; de laatste is %2.</translation>
     </message>
 </context>
 <context>

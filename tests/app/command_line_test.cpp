@@ -30,7 +30,8 @@ private slots:
 
 void CommandLineTest::helpExistsEverywhere()
 {
-    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe", "measure", "compare", "replay"}) {
+    for (const char* command :
+         {"", "info", "convert", "run", "sweep", "recipe", "measure", "compare", "replay", "morph"}) {
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);

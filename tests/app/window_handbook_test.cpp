@@ -145,6 +145,7 @@ private slots:
         row("addPart", "addPartDialog", "Add part");
         row("export", "exportDialog", "STEP (AP242");
         row("exportRecipe", "recipeDialog", "A recipe is a JSON file");
+        row("applyToPart", "otherPartDialog", "The next revision");
         row("saveAs", "saveDialog", "saves a project");
         row("another", "saveQuestion", "What is not saved");
         row("savePicture", "pictureDialog", "Save picture");

@@ -10,8 +10,10 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
 
@@ -237,6 +239,23 @@ private slots:
         find<QDialog>("exportDialog")->reject();
         open(m_recipe);
         QVERIFY(m_window->features().recipes->namedExports().isEmpty());
+    }
+
+    void whatWasDoneGoesToAnotherPart()
+    {
+        QVERIFY(action("applyToPart")->isEnabled());
+        const QString other = m_shop.qPath("bar-2.step");
+        QVERIFY(QFile::copy(example("bar.step"), other));
+        m_window->features().otherPart->applyTo(other);
+        QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("otherPartBox") != nullptr, patience);
+        const QString found = find<QMessageBox>("otherPartBox")->informativeText();
+        QVERIFY2(found.contains("6 of 6 faces") && found.contains("press"), qPrintable(found));
+        picture("recipe-other-part");
+        QTest::mouseClick(find<QPushButton>("otherPartOpen"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(document().history().tree().records()[0].name, std::string("Apply to bar-2.step"),
+                                  patience);
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QVERIFY(document().fixtures().list()[0].faces == std::vector<std::uint32_t>{0});
     }
 
     void recipesAreDroppedOnTheWindow()

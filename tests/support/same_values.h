@@ -305,8 +305,8 @@ inline auto members(const ImportChoices& v)
 }
 inline auto members(const ProjectStart& v)
 {
-    const auto& [a, b] = v;
-    return std::tie(a, b);
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
 }
 inline auto members(const ProjectMark& v)
 {
