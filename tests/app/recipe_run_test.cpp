@@ -351,7 +351,7 @@ void RecipeRunTest::bendsThatFoldAreRefused()
     const Workshop shop;
     json recipe = pressRecipe();
     recipe["deform"] = json::parse(
-        R"([{"kind": "bend", "axis": [1, 0, 0], "side": [0, 0, 1], "from_mm": 50, "to_mm": 80, "radius_mm": 6}])");
+        R"([{"kind": "bend", "axis": [1, 0, 0], "side": [0, 0, 1], "from_mm": 10, "to_mm": 20, "radius_mm": 2}])");
     const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
     QVERIFY(outcome.status != 0);
     QVERIFY2(outcome.errors.find("would fold the material") != std::string::npos, outcome.errors.c_str());

@@ -66,6 +66,7 @@ private slots:
                                                {"logDock", "The Log"},
                                                {"importDock", "Import report"},
                                                {"exportDock", "Export report"},
+                                               {"deformDock", "Stays in place"},
                                                {"performanceDock", "fast"},
                                                {"measureDock", "Measure"},
                                                {"probeDock", "Probes"},

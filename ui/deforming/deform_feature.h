@@ -60,7 +60,6 @@ private:
     void take(const NumberForm& now);
     void drag(DeformHandle handle, double value);
     MeantParts meant() const;
-    NumberSubject subject() const;
     std::optional<Vec3> selectedNormal() const;
 
     Workbench m_bench;

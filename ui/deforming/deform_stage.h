@@ -48,7 +48,6 @@ public:
     void look(Look look, bool isDragged = false);
     /// The view shows the present again.
     void end();
-    bool isOn() const { return m_look.has_value(); }
     /// Meanwhile the view shows the present, in which something is selected.
     void setHidden(bool on);
 
