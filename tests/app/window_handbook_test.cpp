@@ -56,21 +56,12 @@ private slots:
     /// Every panel: the page that opens speaks of it.
     void opensAtThePageOfEveryPanel()
     {
-        const QHash<QString, QString> spokenOf{{"modelDock", "tree"},
-                                               {"historyDock", "History panel"},
-                                               {"simulationDock", "Simulation dock"},
-                                               {"propertiesDock", "panel"},
-                                               {"displayDock", "Display"},
-                                               {"handsDock", "panel Hands"},
-                                               {"timelineDock", "Timeline"},
-                                               {"logDock", "The Log"},
-                                               {"importDock", "Import report"},
-                                               {"exportDock", "Export report"},
-                                               {"deformDock", "Stays in place"},
-                                               {"performanceDock", "fast"},
-                                               {"measureDock", "Measure"},
-                                               {"probeDock", "Probes"},
-                                               {"forcesDock", "Forces over time"}};
+        const QHash<QString, QString> spokenOf{
+            {"modelDock", "tree"},           {"historyDock", "History panel"}, {"simulationDock", "Simulation dock"},
+            {"propertiesDock", "panel"},     {"displayDock", "Display"},       {"handsDock", "panel Hands"},
+            {"timelineDock", "Timeline"},    {"logDock", "The Log"},           {"importDock", "Import report"},
+            {"exportDock", "Export report"}, {"deformDock", "Stays in place"}, {"performanceDock", "fast"},
+            {"measureDock", "Measure"},      {"probeDock", "Probes"},          {"forcesDock", "Forces over time"}};
         openExample("bar.step", 10);
         int docks = 0;
         for (auto* dock : m_window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
