@@ -60,7 +60,7 @@ struct NodalStates {
 
 /// Displacement goes as the skin does (SkinMap), strain and stress as at the skin (SkinStress): of the quadratic map of the objects
 /// around, with no traction left on what is free. Nodes up to a spacing outside of a body get what is at its skin, carried on; those
-/// farther off get nothing. Pieces of a broken body go each by themselves. Any thread; uses several. About 15 us a node on one core.
+/// farther off get nothing. Pieces of a broken body go each by themselves. Any thread; uses several.
 /// @throws Cancelled
 NodalStates nodalStates(std::span<const BodyAtNodes> bodies, const NodesToAsk& asked,
                         TaskControl& control = TaskControl::none());
