@@ -23,7 +23,13 @@ endif()
 
 add_library(knead_settings INTERFACE)
 target_compile_options(knead_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-    -Wno-missing-field-initializers -Werror)   # options are structs with defaults, given by name
+    -Wno-missing-field-initializers)   # options are structs with defaults, given by name
+if(KNEAD_WARNINGS_ARE_ERRORS)
+    target_compile_options(knead_settings INTERFACE -Werror)
+endif()
+# Asserts name their files from the top of the source tree, wherever it lies.
+target_compile_options(knead_settings INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
+    -fmacro-prefix-map=${PROJECT_BINARY_DIR}/=)
 # What people run has its asserts, too, and containers that end the program where an index is out of range: an error found at once
 # loses nothing that recovery does not bring back; one that goes on may write a wrong file.
 target_compile_options(knead_settings INTERFACE -UNDEBUG)

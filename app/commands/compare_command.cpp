@@ -5,6 +5,7 @@
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
 #include "app/complaint.h"
+#include "app/drawn_bodies.h"
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "app/opened_shape.h"
@@ -63,13 +64,8 @@ Compared compareProject(const CompareOptions& options, TaskControl& control)
         throw std::runtime_error(shortName(options.file) +
                                  " is no project. Name a second file that it is compared with, or a project.");
     TaskPortion comparing(control, 0.7, 1);
-    Compared compared{compareWithOriginal(shape.content, *shape.frame, *shape.frame->snapshot, comparing), {}, {}};
-    for (std::size_t b = 0; b < shape.content.bodies.size(); ++b) {
-        const FilledBody& body = *shape.content.bodies[b];
-        MeshBody& drawn = compared.bodies.emplace_back(MeshBody{body.name, body.color, body.mesh});
-        drawn.mesh.vertices = shape.frame->bodies[b]->places;
-    }
-    return compared;
+    return {
+        compareWithOriginal(shape.content, *shape.frame, *shape.frame->snapshot, comparing), drawnBodies(shape), {}};
 }
 
 Compared compareFiles(const CompareOptions& options, TaskControl& control)
@@ -79,7 +75,7 @@ Compared compareFiles(const CompareOptions& options, TaskControl& control)
     TaskPortion second(control, 0.4, 0.8);
     const Model changed = importInChild(options.changed, options.import, second);
     TaskPortion comparing(control, 0.8, 1);
-    Compared compared{compareModels(original, changed, comparing), {}, {}};
+    Compared compared{compareModels(original, changed, comparing), drawnBodies(changed), {}};
     for (const Model* model : {&original, &changed})
         for (Message& remark : remarksOnImport(*model))
             compared.warnings.push_back(std::move(remark));
@@ -89,8 +85,6 @@ Compared compareFiles(const CompareOptions& options, TaskControl& control)
     for (const std::string& name : compared.comparison.onlyNow)
         compared.warnings.push_back(
             Message("Comparison", "\"%1\" belongs to no closed part of the original.").with(name));
-    for (const Part& part : changed.parts)
-        compared.bodies.push_back({part.name, part.color.value_or(Color{}), part.mesh});
     return compared;
 }
 

@@ -1,13 +1,14 @@
 #include "app/commands/compensate_command.h"
 
-#include "app/cad_process.h"
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
+#include "app/commands/restart_choice.h"
 #include "app/compensate/compensation_run.h"
 #include "app/compensate/recipe_field.h"
 #include "app/compensate/round_tables.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
+#include "app/field_source.h"
 #include "app/file_content.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
@@ -34,7 +35,7 @@ struct CompensateOptions {
     std::string engine = "local";
     unsigned threads = 0;
     std::vector<std::string> slurmOptions;
-    bool beginsAnew = false;
+    RestartChoice restart;
 };
 
 std::string wordsOf(const CompensationResult& result, const CompensationStudy& study)
@@ -73,13 +74,15 @@ int run(const CompensateOptions& options)
     return carryOut([&](TerminalControl& control, int& failure) {
         const CompensationStudy study = readStudy(options.study);
         const CompensationFolder folder(options.folder);
-        if (options.beginsAnew)
+        if (options.restart.isWanted && folder.isBegun()) {
+            confirmRestart(options.restart, folder.path());
             folder.clear();
+        }
         folder.checkHasNoOther(factsOf(study));
         failure = exit_status::failed;
         const auto say = [&](const std::string& sentence) { control.say("knead: " + sentence); };
         const CompensationResult result =
-            compensate(study, folder, engineOf(options, folder), readFieldInChild, say, control);
+            compensate(study, folder, engineOf(options, folder), readFieldSource, say, control);
         control.clear();
         return print(result, study, folder);
     });
@@ -116,7 +119,7 @@ void addCompensateCommand(CLI::App& program, int& exitStatus)
     command->add_option("--threads", options->threads, "Number of threads, and of cores that a job asks for")
         ->type_name("N")
         ->check(CLI::Range(1U, 1024U));
-    command->add_flag("--restart", options->beginsAnew, "Throw away what is in the folder, and begin anew");
+    addRestartChoice(*command, options->restart, "Throw away what is in the folder, and begin anew");
     command->callback([options, &exitStatus] { exitStatus = run(*options); });
 }
 

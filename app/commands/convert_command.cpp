@@ -4,6 +4,7 @@
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
 #include "app/complaint.h"
+#include "app/drawn_bodies.h"
 #include "app/exit_status.h"
 #include "app/export_arguments.h"
 #include "app/export_file.h"
@@ -11,7 +12,6 @@
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
 #include "core/session/export_jobs.h"
-#include "io/formats/mesh_writer.h"
 #include "io/picture/picture_writer.h"
 
 #include <CLI/CLI.hpp>
@@ -39,18 +39,10 @@ struct ConvertOptions {
     bool report = false;
 };
 
-void drawTo(const std::string& path, const Model& model)
-{
-    std::vector<MeshBody> bodies;
-    for (const Part& part : model.parts)
-        bodies.push_back({part.name, part.color.value_or(Color{}), part.mesh});
-    writePicture(path, bodies);
-}
-
 void writeTo(const ConvertOptions& options, const Model& model, TaskControl& control)
 {
     if (isPicture(options.output))
-        return drawTo(options.output, model);
+        return writePicture(options.output, drawnBodies(model));
     ExportJob job = exportJobOf(model, {}, {});
     job.options = asWished(options.write, job.options);
     const ExportReport report = exportFile(options.output, std::move(job), control);

@@ -191,7 +191,7 @@ const std::array deformationWords{
         WordIsOf::field, false, [](WishInWords& w, const TypedValue& v) { w.field.choice.unit = v.unit(); }},
     DeformationWord{"--in-place", "",
                     "Of a scan: it has the axes of the part; without it, it is laid over the part first",
-                    WordIsOf::field, false, [](WishInWords& w, const TypedValue&) { w.field.scanIsInPlace = true; }},
+                    WordIsOf::field, false, [](WishInWords& w, const TypedValue&) { w.field.choice.isInPlace = true; }},
     DeformationWord{"--factor", "F", "So many times the field; -1 for the other way", WordIsOf::field, false,
                     [](WishInWords& w, const TypedValue& v) { w.field.factor = v.number(); }},
     DeformationWord{"--keep-faces", "FACES",

@@ -19,7 +19,7 @@
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
 #include "io/recipe/recipe_reader.h"
-#include "io/worker/child_process.h"
+#include "io/worker/own_process.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -111,7 +111,7 @@ WriteAtNodes writerAtNodes(const FieldsRequest& request)
     };
 }
 
-int carryOut(const Recipe& recipe, const RunOptions& options, const WriteAtNodes& writeAtNodes)
+int carryOutRecipe(const Recipe& recipe, const RunOptions& options, const WriteAtNodes& writeAtNodes)
 {
     const ThreadLimit limit(options.threads);
     TerminalControl control;
@@ -185,7 +185,7 @@ int run(const RunOptions& options)
     } catch (const std::exception& error) {
         return complain(error.what(), exit_status::wrongUse);
     }
-    return carryOut(recipe, options, writeAtNodes);
+    return carryOutRecipe(recipe, options, writeAtNodes);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/commands/sweep_command.h"
 
+#include "app/commands/restart_choice.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/set_argument.h"
@@ -29,7 +30,7 @@ struct SweepOptions {
     unsigned threads = 1;
     std::vector<std::string> slurmOptions;
     bool goTogether = false;
-    bool beginsAnew = false;
+    RestartChoice restart;
 };
 
 /// A sweep that is ready to go.
@@ -39,7 +40,7 @@ struct Sweep {
     std::vector<std::size_t> missing;
 };
 
-LostPoints carryOut(const Sweep& sweep, const SweepOptions& options, TerminalControl& control)
+LostPoints carryOutSweep(const Sweep& sweep, const SweepOptions& options, TerminalControl& control)
 {
     if (sweep.missing.empty())
         return {};
@@ -125,8 +126,10 @@ void forget(const SweepFolder& folder)
 Sweep prepare(const SweepOptions& options)
 {
     Sweep sweep{SweepFolder(options.folder), makePlan(options.request), {}};
-    if (options.beginsAnew)
+    if (options.restart.isWanted && sweep.folder.plan()) {
+        confirmRestart(options.restart, sweep.folder.path());
         forget(sweep.folder);
+    }
     sweep.folder.checkHasNoOther(sweep.plan);
     sweep.missing = sweep.folder.missing(sweep.plan);
     return sweep;
@@ -137,7 +140,7 @@ int run(const Sweep& sweep, const SweepOptions& options)
     TerminalControl control;
     try {
         sweep.folder.begin(sweep.plan);
-        const LostPoints lost = carryOut(sweep, options, control);
+        const LostPoints lost = carryOutSweep(sweep, options, control);
         control.clear();
         return writeTables(sweep, lost);
     } catch (const Cancelled&) {
@@ -235,7 +238,7 @@ void addSweepCommand(CLI::App& program, int& exitStatus)
     addEngine(*command, *options);
     command->add_flag("--exports", options->request.keepsExports,
                       "Write the exports of each point too, to FOLDER/points/NUMBER");
-    command->add_flag("--restart", options->beginsAnew, "Throw away what a sweep left in the folder, and begin anew");
+    addRestartChoice(*command, options->restart, "Throw away what a sweep left in the folder, and begin anew");
     command->callback([options, &exitStatus] {
         options->request.combination = options->goTogether ? Combination::together : Combination::grid;
         exitStatus = sweep(*options);

@@ -1,0 +1,35 @@
+# Packages by CPack, see ./dev package: a .deb, and an archive that runs wherever it is unpacked.
+set(KNEAD_MAINTAINER "The Knead maintainers <maintainers@knead.example.org>" CACHE STRING "Who answers for packages")
+# The archive is named after the system whose libraries it needs: "debian12".
+cmake_host_system_information(RESULT system QUERY DISTRIB_ID)
+cmake_host_system_information(RESULT release QUERY DISTRIB_VERSION_ID)
+
+set(CPACK_PACKAGE_NAME knead)
+set(CPACK_PACKAGE_VENDOR "The Knead maintainers")
+set(CPACK_PACKAGE_CONTACT ${KNEAD_MAINTAINER})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "CAD workbench in which a part is a lump of real material")
+set(CPACK_PACKAGE_DESCRIPTION
+"Knead opens STEP, IGES and mesh files, turns their parts into lumps of
+material, and lets one push, bend, squeeze and cut them with tools while one
+watches. What comes of it is exported as STEP, with the smooth faces, names
+and colors that it came with, or as a mesh.
+.
+Recipes, sweeps, measuring and deformation by number work on the command
+line, too, without a display.")
+set(CPACK_PACKAGE_FILE_NAME knead-${PROJECT_VERSION}-${system}${release}-${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+    WORLD_EXECUTE)
+set(CPACK_THREADS 0)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS qt6-translations-l10n)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "calculix-ccx, slurm-client, spacenavd")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/write_changelog.cmake)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(CPack)
