@@ -1,11 +1,9 @@
 #include "app/cad_process.h"
 
+#include "app/cad_program.h"
 #include "core/message/message.h"
 #include "core/model/joined_model.h"
 #include "io/fields/nodal_mesh.h"
-#include "io/worker/export_worker.h"
-#include "io/worker/field_worker.h"
-#include "io/worker/import_worker.h"
 #include "io/worker/isolated_export.h"
 #include "io/worker/isolated_field.h"
 #include "io/worker/isolated_import.h"
@@ -22,11 +20,15 @@ namespace knead {
 
 namespace {
 
-/// The running program, even when its file was replaced meanwhile.
-std::string& cadProgram()
+std::string& chosenCadProgram()
 {
-    static std::string path = "/proc/self/exe";
+    static std::string path;
     return path;
+}
+
+std::string cadProgram()
+{
+    return chosenCadProgram().empty() ? ownCadProgram() : chosenCadProgram();
 }
 
 /// The progress of several imports as that of one task: their mean, and the stage of the one that spoke last.
@@ -154,23 +156,9 @@ Model importInChildren(const std::vector<std::string>& paths, const ImportOption
     return all;
 }
 
-bool isCadProcess(int argc, char** argv)
-{
-    return isImportWorker(argc, argv) || isExportWorker(argc, argv) || isFieldWorker(argc, argv);
-}
-
-int workForParent(int argc, char** argv)
-{
-    if (isExportWorker(argc, argv))
-        runExportWorker(argc, argv);
-    if (isFieldWorker(argc, argv))
-        runFieldWorker(argc, argv);
-    runImportWorker(argc, argv);
-}
-
 void setCadProgram(const std::string& path)
 {
-    cadProgram() = path;
+    chosenCadProgram() = path;
 }
 
 } // namespace knead

@@ -15,7 +15,7 @@ namespace knead {
 
 struct NodalMesh; // io/fields/nodal_mesh.h
 
-/// Reads a file in a process of its own, with the limits that its size calls for. Every import of the program goes this way:
+/// Reads a file in a process of its own (knead-cad-worker), which is locked in, see io/worker/confinement.h, with the limits that its size calls for. Every import of the program goes this way:
 /// window, commands and recipes. On any thread, any number at a time.
 /// @throws std::runtime_error, in a sentence for the person. @throws Cancelled
 Model importInChild(const std::string& path, const ImportOptions& options, TaskControl& control);
@@ -41,12 +41,8 @@ FieldFile readFieldInChild(const std::string& path, const FieldChoice& choice, T
 /// @throws as importInChild()
 NodalMesh readNodesInChild(const std::string& path, const std::string& unit, TaskControl& control);
 
-/// Whether this process was started by a function above in another one; then it is to call workForParent() and nothing else.
-bool isCadProcess(int argc, char** argv);
-/// @return the exit status
-int workForParent(int argc, char** argv);
-
-/// Which program reads and writes CAD files when it is told to; by default the running one. For programs that are not knead, such as tests.
+/// Which program reads and writes CAD files: at first that of the running program, see app/cad_program.h. For programs that are
+/// not knead, such as tests.
 void setCadProgram(const std::string& path);
 
 } // namespace knead

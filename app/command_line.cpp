@@ -4,6 +4,7 @@
 #include "app/commands/compare_command.h"
 #include "app/commands/compensate_command.h"
 #include "app/commands/convert_command.h"
+#include "app/commands/describe_command.h"
 #include "app/commands/fields_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/measure_command.h"
@@ -12,9 +13,12 @@
 #include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/sweep_command.h"
+#include "app/commands/thumbnail_command.h"
 #include "app/exit_status.h"
 #include "app/gui.h"
+#include "app/version_text.h"
 #include "core/task/kept_memory.h"
+#include "io/files/safe_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,9 +50,14 @@ int explain(const CLI::App& program, const CLI::ParseError& error)
 int runProgram(int argc, char** argv)
 {
     keepFreedMemory();
+    removeUnfinished();
     CLI::App program(description, "knead");
     program.footer(footer);
-    program.set_version_flag("--version", std::string("knead ") + KNEAD_VERSION, "Print the version and exit");
+    bool isVerbose = false; // declared before the version, which is said as soon as it is found
+    program.add_flag("--verbose", isVerbose,
+                     "With --version: what it stands on, and how files of others are locked in");
+    const auto version = [&isVerbose] { return isVerbose ? verboseVersionText() : versionText(); };
+    program.set_version_flag("--version", version, "Print the version and exit");
     program.require_subcommand(0, 1);
     std::vector<std::string> files;
     program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")
@@ -69,6 +78,8 @@ int runProgram(int argc, char** argv)
     addReplayCommand(program, status);
     addApplyCommand(program, status);
     addFieldsCommand(program, status);
+    addThumbnailCommand(program, status);
+    addDescribeCommand(program, status);
 
     try {
         program.parse(argc, argv);

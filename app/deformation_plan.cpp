@@ -109,7 +109,7 @@ public:
     void add(const FieldWish& wish, TaskControl& control)
     {
         TaskPortion reading(control, 0, 0.6);
-        FieldFile file = readFieldSource(wish.path, wish.choice, {m_model, m_which, wish.scanIsInPlace}, reading);
+        FieldFile file = readFieldSource(wish.path, wish.choice, surface(), reading);
         auto field = std::make_shared<const DisplacementField>(std::exchange(file.field, {}));
         FieldDeformation deformation = deformationOf(wish, field);
         TaskPortion mapping(control, 0.6, 0.9);
@@ -151,14 +151,7 @@ private:
     /// In the thickness of what lies between the planes; of all parts where nothing does.
     double neutralIn(const NumberDeformation& number, double kFactor) const
     {
-        HeightRange heights;
-        for (const TriangleMesh& mesh : m_now) {
-            const HeightRange own = heightsBetweenPlanes(number, mesh);
-            if (heights.isEmpty())
-                heights = own;
-            else if (!own.isEmpty())
-                heights = {std::min(heights.least, own.least), std::max(heights.most, own.most)};
-        }
+        const HeightRange heights = heightsBetweenPlanes(number, std::span(m_now));
         return heights.isEmpty() ? number.neutral : neutralOfSheet(number, heights, kFactor);
     }
 
@@ -183,6 +176,15 @@ private:
         std::vector<Vec3> all;
         for (const TriangleMesh& mesh : m_now)
             all.insert(all.end(), mesh.vertices.begin(), mesh.vertices.end());
+        return all;
+    }
+
+    /// Of all that are deformed, as they are now.
+    TriangleMesh surface() const
+    {
+        TriangleMesh all;
+        for (const TriangleMesh& mesh : m_now)
+            all = besides(std::move(all), mesh);
         return all;
     }
 

@@ -24,7 +24,6 @@ struct FieldWish {
     std::vector<std::string> kept; ///< CAD faces, from 0: "3,7" of the only part, "Lid:3,7" of a part by name or path
     std::optional<double> fade;    ///< [m]; none: fadeShare of the size of the parts
     std::array<bool, 3> locked{};
-    bool scanIsInPlace = false; ///< see ScannedParts
 
     static constexpr double fadeShare = 0.1;
 };

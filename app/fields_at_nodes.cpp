@@ -5,6 +5,7 @@
 #include "core/model/file_formats.h"
 #include "core/model/length_units.h"
 #include "io/fields/field_writer.h"
+#include "io/fields/integration_points.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
 
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -138,37 +138,30 @@ private:
     NodalFields m_fields;
 };
 
-/// Points at which CalculiX integrates solid elements of VTK's kinds; 0 for what is no solid.
-std::uint8_t pointsOfType(std::uint8_t type)
-{
-    static const std::map<std::uint8_t, std::uint8_t> points{{10, 1}, {12, 8}, {13, 2}, {24, 4}, {25, 27}, {26, 9}};
-    const auto found = points.find(type);
-    return found == points.end() ? 0 : found->second;
-}
-
-/// Centers of solid elements.
-struct Centers {
+/// Where in solid elements stress is asked for.
+struct ElementPlaces {
     std::vector<Vec3> places; ///< [m]
     std::vector<std::size_t> cells;
+    std::vector<std::size_t> first = {0}; ///< per cell of these, and one more: its first place
 };
 
-Centers centersOf(const NodalMesh& mesh)
+ElementPlaces elementPlaces(const NodalMesh& mesh, Solver solver)
 {
-    Centers centers;
+    ElementPlaces all;
     for (std::size_t c = 0; c < mesh.cells.types.size(); ++c) {
-        if (pointsOfType(mesh.cells.types[c]) == 0)
+        if (!isSolidCell(mesh, c))
             continue;
-        Vec3 sum = Vec3::Zero();
-        for (auto n = mesh.cells.offsets[c]; n < mesh.cells.offsets[c + 1]; ++n)
-            sum += mesh.nodes[static_cast<std::size_t>(mesh.cells.connectivity[static_cast<std::size_t>(n)])];
-        centers.places.push_back(sum / static_cast<double>(mesh.cells.offsets[c + 1] - mesh.cells.offsets[c]));
-        centers.cells.push_back(c);
+        const std::vector<Vec3> own =
+            solver == Solver::calculix ? integrationPlaces(mesh, c) : std::vector{centerOf(mesh, c)};
+        all.places.insert(all.places.end(), own.begin(), own.end());
+        all.cells.push_back(c);
+        all.first.push_back(all.places.size());
     }
-    return centers;
+    return all;
 }
 
-/// @param states of the nodes, then of the centers
-SolverInclude includeOf(const FieldsRequest& request, const NodalMesh& mesh, const Centers& centers,
+/// @param states of the nodes, then of the places
+SolverInclude includeOf(const FieldsRequest& request, const NodalMesh& mesh, const ElementPlaces& elements,
                         const NodalStates& states)
 {
     SolverInclude include{.solver = request.solver, .unit = mesh.unit};
@@ -182,16 +175,16 @@ SolverInclude includeOf(const FieldsRequest& request, const NodalMesh& mesh, con
     include.hasFlow = isWanted(request, "plastic-strain") && !states.plasticStrain.empty();
     if (!isWanted(request, "stress") || states.stress.empty())
         return include;
-    for (std::size_t i = 0; i < centers.cells.size(); ++i) {
-        const std::size_t cell = centers.cells[i];
-        const std::size_t at = mesh.nodes.size() + i;
-        if (!states.stress[at].allFinite())
-            continue;
-        const std::uint8_t told = mesh.cells.points.empty() ? 0 : mesh.cells.points[cell];
-        include.elements.push_back({.label = labelOf(mesh.cells.labels, cell),
-                                    .points = told > 0 ? told : pointsOfType(mesh.cells.types[cell]),
-                                    .stress = states.stress[at],
-                                    .plasticStrain = states.plasticStrain[at]});
+    for (std::size_t i = 0; i < elements.cells.size(); ++i) {
+        SolverInclude::Element element{.label = labelOf(mesh.cells.labels, elements.cells[i]), .stresses = {}};
+        const std::size_t begin = mesh.nodes.size() + elements.first[i];
+        const std::size_t end = mesh.nodes.size() + elements.first[i + 1];
+        for (std::size_t at = begin; at < end; ++at)
+            if (states.stress[at].allFinite())
+                element.stresses.push_back(states.stress[at]);
+        element.plasticStrain = states.plasticStrain[begin];
+        if (element.stresses.size() == end - begin) // else some of it is outside
+            include.elements.push_back(std::move(element));
     }
     return include;
 }
@@ -276,12 +269,12 @@ WrittenFields writeFieldsAtNodes(const FieldsRequest& request, const NodalMesh& 
                                  std::span<const BodyAtNodes> bodies, TaskControl& control)
 {
     TaskPortion asking(control, 0, 0.9);
-    const Centers centers = isInput(request) ? centersOf(mesh) : Centers();
+    const ElementPlaces elements = isInput(request) ? elementPlaces(mesh, request.solver) : ElementPlaces();
     const NodalStates states = nodalStates(bodies,
                                            {.nodes = mesh.nodes,
                                             .at = request.at,
                                             .cells = {mesh.cells.connectivity, mesh.cells.offsets},
-                                            .others = centers.places},
+                                            .others = elements.places},
                                            asking);
     WrittenFields written = summaryOf(states, mesh.nodes.size(), bodies.size());
     written.warnings.insert(written.warnings.begin(), mesh.warnings.begin(), mesh.warnings.end());
@@ -290,7 +283,7 @@ WrittenFields writeFieldsAtNodes(const FieldsRequest& request, const NodalMesh& 
                     Message::sequence({Message("Field", "no node lies in the bodies."), written.warnings.back()}));
     TaskPortion writing(control, 0.9, 1);
     if (isInput(request)) {
-        const SolverInclude include = includeOf(request, mesh, centers, states);
+        const SolverInclude include = includeOf(request, mesh, elements, states);
         if (!include.nodes.empty())
             written.names.emplace_back("*NODE");
         if (!include.elements.empty())

@@ -1,8 +1,10 @@
 #include "app/gui.h"
 
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/deform_in_child.h"
 #include "app/export_file.h"
+#include "app/field_source.h"
 #include "app/project_services.h"
 #include "app/recipe_services.h"
 #include "app/resources.h"
@@ -20,6 +22,7 @@ namespace knead {
 
 Services fileServices()
 {
+    ownCadProgram(); // a window runs for days, in which an update may replace files
     Services services;
     services.import = importInChildren;
     services.preview = previewInChild;
@@ -30,7 +33,7 @@ Services fileServices()
         return report;
     };
     services.writeAndRead = writeAndReadInChildren;
-    services.readField = readFieldInChild;
+    services.readField = readFieldSource;
     services.writeSafely = [](const std::string& path, const std::function<void(const std::string&)>& write) {
         SafeFile file(path);
         write(file.pathForNow());

@@ -42,9 +42,12 @@ PartTransfer transferProject(const Project& project, const std::string& projectP
                              TransferOptions options, TaskControl& control)
 {
     const std::vector<MaterialPreset> presets = readMaterials(materialsFile());
-    const RecipeOfProject told = recipeOfProject(
-        project, {.recipePath = projectPath, .projectPath = projectPath, .namesProject = !projectPath.empty()},
-        presets);
+    const RecipeOfProject told = recipeOfProject(project,
+                                                 {.recipePath = projectPath,
+                                                  .projectPath = projectPath,
+                                                  .namesProject = !projectPath.empty(),
+                                                  .saysDeformations = false},
+                                                 presets);
     const Recipe recipe = readRecipeText(told.text, projectPath.empty() ? "recipe" : projectPath, presets);
     if (options.timesOfSteps.empty())
         options.timesOfSteps = timesOfSteps(project);
@@ -59,9 +62,10 @@ PartTransfer transferProject(const Project& project, const std::string& projectP
 ExportReport carryShape(const std::string& projectPath, const PartTransfer& transfer, std::uint32_t entry,
                         const std::string& output, TaskControl& control)
 {
-    TaskPortion reading(control, 0, 0.4);
+    TaskPortion reading(control, 0, 0.3);
     FieldFile known = projectField(projectPath, entry, reading);
-    auto field = std::make_shared<const DisplacementField>(fieldOnPart(known.field, transfer));
+    TaskPortion carrying(control, 0.3, 0.4);
+    auto field = std::make_shared<const DisplacementField>(fieldOnPart(known.field, transfer, carrying));
     const auto deformations =
         std::make_shared<const std::vector<Deformation>>(std::vector<Deformation>{FieldDeformation{.field = field}});
     TaskPortion importing(control, 0.4, 0.5);

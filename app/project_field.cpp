@@ -2,6 +2,7 @@
 
 #include "app/opened_shape.h"
 #include "core/message/message.h"
+#include "core/model/field_formats.h"
 #include "core/model/file_names.h"
 #include "core/session/session_field.h"
 #include "io/project/project_file.h"
@@ -24,7 +25,7 @@ FieldFile projectField(const std::string& path, std::optional<std::uint32_t> ent
         throw Problem(aboutFile(path, Message("Session field", "nothing has moved at its entry %1: there is no field.")
                                           .with(shape.entry.value_or(0))));
     return {.path = path,
-            .format = "Knead project",
+            .format = projectFormat,
             .steps = std::move(shape.entries),
             .names = {"displacements"},
             .step = shape.entry.value_or(0),

@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/deform_in_child.h"
+#include "app/field_source.h"
 #include "app/recipe_exports.h"
 #include "io/files/safe_file.h"
 #include "io/project/project_file.h"
@@ -17,7 +18,7 @@ RecipeFiles recipeFiles()
             .writeExports = writeExports,
             .writeTable = writeFileSafely,
             .writeAndRead = writeAndReadInChildren,
-            .readField = readFieldInChild};
+            .readField = readFieldSource};
 }
 
 } // namespace knead

@@ -29,11 +29,12 @@ std::vector<Message> write(const std::string& path, const Project& project, cons
     return std::move(recipe.remarks);
 }
 
-AppliedPart apply(const std::string& part, const Project& project, const std::string& projectPath, TaskControl& control)
+AppliedPart apply(const std::string& part, const Project& project, const std::string& projectPath,
+                  const TransferOptions& options, TaskControl& control)
 {
     constexpr double found = 0.6; // of the progress
     TaskPortion finding(control, 0, found);
-    PartTransfer transfer = transferProject(project, projectPath, part, {}, finding);
+    PartTransfer transfer = transferProject(project, projectPath, part, options, finding);
     TaskPortion starting(control, found, 1);
     return {recipeStart(std::move(transfer.recipe), recipeFiles(), starting), std::move(transfer.report)};
 }

@@ -13,12 +13,13 @@ std::string resourcesFolder()
     if (const char* chosen = std::getenv("KNEAD_RESOURCES"))
         return chosen;
     std::error_code ignored;
-    const fs::path installed = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/knead";
-    for (const fs::path& folder : {installed, fs::path(KNEAD_SOURCE_RESOURCES)})
-        if (fs::is_directory(folder / "materials", ignored))
-            return fs::weakly_canonical(folder).string();
-    throw std::runtime_error("The resources folder is missing: neither " + installed.string() + " nor " +
-                             KNEAD_SOURCE_RESOURCES + " exists. Set KNEAD_RESOURCES to the folder named resources.");
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (fs::is_directory(folder / KNEAD_DATA_FOLDER / "materials", ignored))
+            return (folder / KNEAD_DATA_FOLDER).string();
+    throw std::runtime_error("The folder " KNEAD_DATA_FOLDER " with examples and materials is missing: it is in no "
+                             "folder above " +
+                             program.string() + ". Install Knead anew, or set KNEAD_RESOURCES to where it is.");
 }
 
 std::string materialsFile()

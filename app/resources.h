@@ -4,9 +4,9 @@
 
 namespace knead {
 
-/// The folder with examples, materials and icons: $KNEAD_RESOURCES, else share/knead beside the program's bin folder, else
-/// the one of the source tree it was built from.
-/// @throws std::runtime_error when none of them exists, naming what was looked for.
+/// The folder with examples, materials and the handbook: $KNEAD_RESOURCES, else share/knead in the nearest folder above the
+/// program that has one. The installed program finds it beside bin, a program of the build tree at the top of that.
+/// @throws std::runtime_error when neither exists, naming what was looked for.
 std::string resourcesFolder();
 
 /// The bundled materials. @throws as resourcesFolder()

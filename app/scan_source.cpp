@@ -5,7 +5,7 @@
 #include "core/deformation/kept_faces.h"
 #include "core/deformation/scan_field.h"
 #include "core/message/message.h"
-#include "core/model/file_names.h"
+#include "core/model/field_formats.h"
 
 #include <utility>
 
@@ -13,29 +13,27 @@ namespace knead {
 
 namespace {
 
-/// The surfaces of some parts as one. @param which empty: all
-TriangleMesh surfaceOfParts(const Model& model, const std::vector<bool>& which)
+/// The surfaces of all parts as one.
+TriangleMesh surfaceOfParts(const Model& model)
 {
     TriangleMesh all;
-    for (std::size_t p = 0; p < model.parts.size(); ++p)
-        if (which.empty() || which[p])
-            all = besides(std::move(all), model.parts[p].mesh);
+    for (const Part& part : model.parts)
+        all = besides(std::move(all), part.mesh);
     return all;
 }
 
 } // namespace
 
-FieldFile readScan(const std::string& path, const std::string& unit, const ScannedParts& parts, TaskControl& control)
+FieldFile readScan(const std::string& path, const FieldChoice& choice, const TriangleMesh& parts, TaskControl& control)
 {
     TaskPortion reading(control, 0, 0.4);
     ImportOptions how;
-    how.unit = unit;
+    how.unit = choice.unit;
     const Model scanned = importInChild(path, how, reading);
     TaskPortion laying(control, 0.4, 1);
-    ScanField scan = scanField(surfaceOfParts(scanned, {}), surfaceOfParts(parts.model, parts.which),
-                               {.staysInPlace = parts.isInPlace}, laying);
+    ScanField scan = scanField(surfaceOfParts(scanned), parts, {.staysInPlace = choice.isInPlace}, laying);
     FieldFile file{.path = path,
-                   .format = "scan",
+                   .format = scanFormat,
                    .steps = {scanned.format},
                    .names = {"distance"},
                    .step = 0,

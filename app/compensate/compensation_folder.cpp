@@ -36,7 +36,8 @@ std::string textOfFaces(const FacesOfParts& faces)
 
 std::string textOfChoice(const FieldChoice& choice)
 {
-    return choice.name + " " + choice.unit + " " + (choice.step ? std::to_string(*choice.step + 1) : "");
+    return choice.name + " " + choice.unit + " " + (choice.step ? std::to_string(*choice.step + 1) : "") +
+           (choice.isInPlace ? " in place" : "");
 }
 
 Json toJson(const std::vector<StudyFact>& facts)
@@ -176,11 +177,17 @@ void CompensationFolder::begin(const std::vector<StudyFact>& facts) const
     writeFileSafely(pathOf(stateName), toJson(facts).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-void CompensationFolder::clear() const
+bool CompensationFolder::isBegun() const
 {
     std::error_code ignored;
-    if (!fs::exists(pathOf(stateName), ignored))
+    return fs::exists(pathOf(stateName), ignored);
+}
+
+void CompensationFolder::clear() const
+{
+    if (!isBegun())
         return;
+    std::error_code ignored;
     for (int round = 1; fs::is_directory(folderOf(round), ignored); ++round)
         fs::remove_all(folderOf(round), ignored);
     for (const char* name : {"rounds.csv", "rounds.svg", "compensated.step", "compensated.step.report.json", stateName})

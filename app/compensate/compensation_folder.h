@@ -35,6 +35,9 @@ public:
     /// Begins, or goes on. @throws std::runtime_error, in a sentence, when the folder cannot be written to
     void begin(const std::vector<StudyFact>& facts) const;
 
+    /// Whether a compensation left something here.
+    bool isBegun() const;
+
     /// Takes away what a compensation left here, but nothing else.
     void clear() const;
 

@@ -6,6 +6,7 @@
 #include "app/export_file.h"
 #include "core/deformation/deformation.h"
 #include "core/message/message.h"
+#include "core/model/field_formats.h"
 #include "core/model/number_words.h"
 #include "io/files/safe_file.h"
 
@@ -121,7 +122,8 @@ private:
     void takeUp(CompensationRound& round, const RoundCommand& command, TaskControl& control)
     {
         const std::string path = (std::filesystem::path(command.folder) / command.field).string();
-        const FieldFile field = m_read(path, m_study.choice, control);
+        const TriangleMesh shape = isScanFile(path) ? m_files.surface(round, control) : TriangleMesh();
+        const FieldFile field = m_read(path, m_study.choice, shape, control);
         for (const Message& warning : field.warnings)
             if (m_warned.insert(warning.english()).second) // each round would say the same
                 m_say("warning: round " + std::to_string(round.number) + ": " + warning.english());

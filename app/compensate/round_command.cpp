@@ -4,6 +4,7 @@
 #include "app/sweep/queue_watch.h"
 #include "io/files/safe_file.h"
 #include "io/worker/child_process.h"
+#include "io/worker/own_process.h"
 
 #include <nlohmann/json.hpp>
 

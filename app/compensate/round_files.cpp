@@ -3,6 +3,8 @@
 #include "app/export_file.h"
 #include "app/file_content.h"
 #include "core/deformation/deformation.h"
+#include "core/deformation/kept_faces.h"
+#include "core/geometry/refine.h"
 #include "core/message/message.h"
 #include "core/session/export_jobs.h"
 #include "core/session/part_filling.h"
@@ -28,6 +30,7 @@ constexpr const char* meshName = "mesh.inp";
 constexpr const char* recipeField = "field.csv";
 constexpr double cellsOfMesh = 5000; // where nobody chose a spacing, unless walls need more
 constexpr double mostCellsOfMesh = 60'000;
+constexpr std::size_t mostTrianglesOfSurface = 100'000; // of a shape that a scan is compared with
 
 /// Two cells across the thinnest wall, as far as that is not too many.
 double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts, TaskControl& control)
@@ -160,6 +163,18 @@ ExportReport RoundFiles::writePart(const std::string& path, const CompensationRo
             part.deformations = deformations;
     }
     return exportFile(path, std::move(job), control);
+}
+
+TriangleMesh RoundFiles::surface(const CompensationRound& round, TaskControl& control) const
+{
+    TriangleMesh all;
+    for (const Part& part : m_target.parts)
+        all = besides(std::move(all), part.mesh);
+    if (const std::optional<FieldDeformation> shape = shapeOf(m_points, round)) {
+        all = refine(all, m_points.spacing, mostTrianglesOfSurface);
+        mapOf(Deformation(*shape), control)->evaluate(std::vector<Vec3>(all.vertices), all.vertices);
+    }
+    return all;
 }
 
 } // namespace knead

@@ -33,6 +33,9 @@ public:
     /// Writes the target in the shape of a round. @throws std::runtime_error, in a sentence. @throws Cancelled
     ExportReport writePart(const std::string& path, const CompensationRound& round, TaskControl& control) const;
 
+    /// The surface of the target in the shape of a round [m]. @throws as fieldMap()
+    TriangleMesh surface(const CompensationRound& round, TaskControl& control) const;
+
 private:
     std::string filled(std::string text, int round, const std::string& folder) const;
     bool wantsMesh() const;

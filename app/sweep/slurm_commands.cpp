@@ -71,6 +71,17 @@ std::string complaintIn(const std::string& errors)
     return all.empty() ? "it did not answer" : all;
 }
 
+/// The file may have been changed from outside.
+std::optional<SlurmJob> jobFrom(const Json& json)
+{
+    const auto id = json.is_object() ? json.find("job") : json.end();
+    const auto base = json.is_object() ? json.find("base") : json.end();
+    if (id == json.end() || base == json.end() || !id->is_string() || !base->is_number_unsigned() ||
+        !isJobId(id->get<std::string>()))
+        return std::nullopt;
+    return SlurmJob{*id, *base};
+}
+
 std::vector<std::string> wordsOf(const SlurmArray& array)
 {
     std::string tasks = rangesOf(array.tasks);
@@ -89,6 +100,12 @@ std::vector<std::string> wordsOf(const SlurmArray& array)
 }
 
 } // namespace
+
+bool isJobId(const std::string& text)
+{
+    constexpr std::size_t mostDigits = 20;
+    return !text.empty() && text.size() <= mostDigits && text.find_first_not_of("0123456789") == std::string::npos;
+}
 
 std::string quotedForShell(const std::string& text)
 {
@@ -120,6 +137,8 @@ SlurmJob submit(const SlurmArray& array)
     if (!answer.isGood || id.empty())
         throw std::runtime_error("Slurm refuses the jobs: " + complaintIn(answer.errors) +
                                  ". Options for sbatch are given with --slurm-option.");
+    if (!isJobId(id))
+        throw std::runtime_error("Slurm's answer names no job: " + id + ".");
     return {id, array.base};
 }
 
@@ -146,8 +165,8 @@ std::vector<SlurmJob> jobsIn(const std::string& path)
     std::vector<SlurmJob> jobs;
     const Json json = Json::parse(textOf(path).value_or("[]"), nullptr, false);
     for (const Json& job : json)
-        if (job.is_object() && job.contains("job") && job.contains("base"))
-            jobs.push_back({job.at("job"), job.at("base")});
+        if (const std::optional<SlurmJob> kept = jobFrom(job))
+            jobs.push_back(*kept);
     return jobs;
 }
 

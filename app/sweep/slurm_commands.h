@@ -10,7 +10,7 @@ namespace knead {
 
 /// A job array of Slurm: task t carries out point `base + t`.
 struct SlurmJob {
-    std::string id;
+    std::string id; ///< digits, see isJobId()
     std::size_t base = 0;
 };
 
@@ -26,20 +26,23 @@ struct SlurmArray {
     std::vector<std::string> options; ///< further ones of sbatch
 };
 
+/// Whether a text is the number of a job, as it may stand in commands and names of files: nothing but digits.
+bool isJobId(const std::string& text);
+
 /// A word for a shell.
 std::string quotedForShell(const std::string& text);
 
 /// "0-3,7,9-12", as sbatch takes them.
 std::string rangesOf(const std::vector<std::size_t>& numbers);
 
-/// @throws std::runtime_error, in a sentence, when there is no sbatch here, or it refuses
+/// @throws std::runtime_error, in a sentence, when there is no sbatch here, it refuses, or names no job
 SlurmJob submit(const SlurmArray& array);
 
 /// Points whose tasks wait or run. None when Slurm does not answer.
 /// @param name of the jobs; others with the same number belong to somebody else
 std::optional<std::set<std::size_t>> queuedPoints(const std::vector<SlurmJob>& jobs, const std::string& name);
 
-/// Jobs that were kept in a file; none when there is no such file.
+/// Jobs that were kept in a file; none when there is no such file. What is no job in it is left out.
 std::vector<SlurmJob> jobsIn(const std::string& path);
 
 /// @throws Problem when the disk refuses

@@ -1,6 +1,7 @@
 #include "io/files/safe_file.h"
 
 #include "core/message/message.h"
+#include "io/files/own_folders.h"
 #include "io/formats/cad_format.h"
 
 #include <atomic>
@@ -39,6 +40,43 @@ bool markAsOurs(int descriptor)
     return fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
+std::string folderOfNotes()
+{
+    return ownFolder("XDG_STATE_HOME", ".local/state") + "/knead/unfinished";
+}
+
+/// A link to a file that is not finished. @return its path; empty when it cannot be made
+std::string noteOf(const std::string& path)
+{
+    std::error_code error;
+    const fs::path folder = folderOfNotes();
+    const fs::path note = folder / fs::path(path).filename();
+    const fs::path target = fs::absolute(path, error);
+    fs::create_symlink(target, note, error);
+    if (error == std::errc::no_such_file_or_directory) {
+        fs::create_directories(folder, error);
+        fs::create_symlink(target, note, error);
+    }
+    return error ? std::string() : note.string();
+}
+
+/// Removes a file that nobody is writing, if it is called like those that are not finished.
+/// @return whether nobody is writing it
+bool removeIfLeftOver(const fs::path& path)
+{
+    const std::string name = path.filename().string();
+    if (!name.starts_with(beginning) || !name.ends_with(endingOfParts))
+        return true;
+    const int descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return true;
+    const bool isLeftOver = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    if (isLeftOver)
+        unlink(path.c_str());
+    close(descriptor);
+    return isLeftOver;
+}
+
 void copyPermissions(const std::string& from, int to)
 {
     struct stat status {};
@@ -59,6 +97,7 @@ SafeFile::SafeFile(const std::string& path)
         if (m_descriptor < 0)
             fail();
     } while (!markAsOurs(m_descriptor));
+    m_note = noteOf(m_path);
     copyPermissions(m_target, m_descriptor);
 }
 
@@ -68,6 +107,7 @@ SafeFile::~SafeFile()
         close(m_descriptor);
     if (!m_path.empty())
         unlink(m_path.c_str());
+    dropNote();
 }
 
 void SafeFile::write(std::string_view bytes)
@@ -98,8 +138,16 @@ void SafeFile::keep()
     if (std::rename(m_path.c_str(), m_target.c_str()) != 0)
         fail();
     m_path.clear();
+    dropNote();
     close(std::exchange(m_descriptor, -1));
     syncFolder(fs::path(m_target).parent_path().string());
+}
+
+void SafeFile::dropNote()
+{
+    if (!m_note.empty())
+        unlink(m_note.c_str());
+    m_note.clear();
 }
 
 void SafeFile::fail() const
@@ -117,17 +165,16 @@ void removeLeftOvers(const std::string& path)
 {
     const fs::path parent = fs::path(path).parent_path();
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(parent.empty() ? "." : parent, error)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with(beginning) || !name.ends_with(endingOfParts))
-            continue;
-        const int descriptor = open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor < 0)
-            continue;
-        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-            unlink(entry.path().c_str());
-        close(descriptor);
-    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(parent.empty() ? "." : parent, error))
+        removeIfLeftOver(entry.path());
+}
+
+void removeUnfinished()
+{
+    std::error_code error;
+    for (const fs::directory_entry& note : fs::directory_iterator(folderOfNotes(), error))
+        if (note.is_symlink(error) && removeIfLeftOver(fs::read_symlink(note.path(), error)))
+            fs::remove(note.path(), error);
 }
 
 /// So that a power failure does not bring back what lay there before.

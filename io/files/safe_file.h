@@ -10,8 +10,7 @@ namespace knead {
 
 /// A file that appears whole or not at all: written piece by piece under a temporary name in the same folder, and renamed by
 /// keep(). Until then, and when it is not kept, what lay at the path stays as it was and nothing else is left behind, but by a
-/// process that is killed: see removeLeftOvers(). A file that
-/// was there gives its permissions to the new one.
+/// process that is killed: see removeLeftOvers() and removeUnfinished(). A file that was there gives its permissions to the new one.
 /// All functions throw a Problem that names the file and why the disk refused.
 class SafeFile final : public ByteSink {
 public:
@@ -37,14 +36,21 @@ public:
 
 private:
     [[noreturn]] void fail() const;
+    void dropNote();
 
     std::string m_target;
     std::string m_path;    ///< for now; empty when kept
+    std::string m_note;    ///< that it is not finished; empty when there is none
     int m_descriptor = -1; ///< negative when kept
 };
 
 /// Removes what processes that were killed had begun to write in the folder of a path; what others are writing stays.
 void removeLeftOvers(const std::string& path);
+
+/// Removes what processes of the same person that were killed had begun to write, in whatever folder; what others are writing stays.
+/// For the start of the program. What is being written is noted in the folder of its state ($XDG_STATE_HOME/knead/unfinished), where
+/// that can be made. Any thread.
+void removeUnfinished();
 
 /// Makes sure that the disk has the names in a folder, as far as its file system can.
 void syncFolder(const std::string& folder);

@@ -7,7 +7,6 @@
 #include "io/document/xcaf_document.h"
 #include "io/formats/step/step_names.h"
 #include "io/formats/step/step_order.h"
-#include "io/worker/child_process.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -19,13 +18,18 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 namespace knead {
 
@@ -53,11 +57,6 @@ const char* writerUnit(const std::string& unit)
     if (unit == "mm" || unit.empty())
         return "MM";
     throw Problem(Message("Export", "A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.").with(unit));
-}
-
-std::string nameOf(const NamelessFile& file)
-{
-    return "/proc/self/fd/" + std::to_string(file.descriptor());
 }
 
 // Same parts, same bytes: when a file was written is what the file system is for.
@@ -94,10 +93,12 @@ std::string writeStep(const Handle(TDocStd_Document) & document, const NamedShap
     header.SetOrganizationValue(1, new TCollection_HAsciiString(""));
     header.SetName(new TCollection_HAsciiString(""));
     header.SetTimeStamp(new TCollection_HAsciiString(noDate));
-    const NamelessFile file;
-    if (writer.Write(nameOf(file).c_str()) != IFSelect_RetDone)
+    StepData_StepWriter text(writer.ChangeWriter().Model());
+    text.SendModel(Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol()));
+    std::ostringstream bytes;
+    if (!text.Print(bytes))
         throw Problem(Message("Export", "The STEP text could not be written."));
-    return withStylesInOrder(file.content());
+    return withStylesInOrder(std::move(bytes).str());
 }
 
 std::string writeIges(const Handle(TDocStd_Document) & document, const ExportOptions& options, TaskControl& control)
@@ -116,10 +117,10 @@ std::string writeIges(const Handle(TDocStd_Document) & document, const ExportOpt
     if (!done)
         throw Problem(Message("Export", "The parts could not be put into IGES."));
     writer.ComputeModel();
-    const NamelessFile file;
-    if (!writer.Write(nameOf(file).c_str()))
+    std::ostringstream bytes;
+    if (!writer.Write(bytes))
         throw Problem(Message("Export", "The IGES text could not be written."));
-    return file.content();
+    return std::move(bytes).str();
 }
 
 std::string writeBrep(const std::vector<CadPartToWrite>& parts)
@@ -129,11 +130,13 @@ std::string writeBrep(const std::vector<CadPartToWrite>& parts)
     builder.MakeCompound(all);
     for (const CadPartToWrite& part : parts)
         builder.Add(all, part.shape);
-    const NamelessFile file;
     const TopoDS_Shape& shape = parts.size() == 1 ? parts.front().shape : all;
-    if (!BRepTools::Write(shape, nameOf(file).c_str(), false, false, TopTools_FormatVersion_VERSION_1))
+    std::ostringstream bytes;
+    bytes << "DBRep_DrawableShape\n"; // as files begin that OpenCASCADE writes under a name
+    BRepTools::Write(shape, bytes, false, false, TopTools_FormatVersion_VERSION_1);
+    if (!bytes)
         throw Problem(Message("Export", "The BREP text could not be written."));
-    return file.content();
+    return std::move(bytes).str();
 }
 
 } // namespace

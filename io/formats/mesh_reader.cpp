@@ -6,6 +6,7 @@
 #include "io/brep/millimeter.h"
 #include "io/document/part_selection.h"
 #include "io/document/size_limits.h"
+#include "io/files/neighbor_file.h"
 #include "io/formats/gltf/gltf_check.h"
 #include "io/formats/ply/ply_check.h"
 #include "io/mesh/mesh_colors.h"
@@ -55,7 +56,7 @@ private:
 };
 
 /// assimp goes by the ending, we by the content: shows it the file under a name that ends as its content is. Files
-/// beside it, which hold colors and numbers, are found as usual.
+/// beside it, which hold colors and numbers, are found as usual; there are no others.
 class NamedByContent final : public Assimp::DefaultIOSystem {
 public:
     NamedByContent(std::string path, const std::string& ending)
@@ -65,13 +66,14 @@ public:
     }
 
     const std::string& shownPath() const { return m_shownPath; }
-    bool Exists(const char* file) const override { return DefaultIOSystem::Exists(real(file)); }
+    bool Exists(const char* file) const override { return isOwn(file) && DefaultIOSystem::Exists(real(file)); }
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {
-        return DefaultIOSystem::Open(real(file), mode);
+        return isOwn(file) ? DefaultIOSystem::Open(real(file), mode) : nullptr;
     }
 
 private:
+    bool isOwn(const char* file) const { return file == m_shownPath || isNeighborFile(file, m_path); }
     const char* real(const char* file) const { return file == m_shownPath ? m_path.c_str() : file; }
 
     std::string m_path;

@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 namespace knead {
@@ -34,6 +35,8 @@ void unpackInto(const Bytes& packed, std::int64_t size, Bytes& bytes, std::size_
 {
     if (size < 0 || size > static_cast<std::int64_t>(std::min(pieceSize, budget)))
         throw DamagedData(Message("Project", "a number in the table blobs is out of range"));
+    if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != static_cast<unsigned long long>(size))
+        throw DamagedData(Message("Project", "a row of the table blobs cannot be unpacked"));
     const std::size_t begin = bytes.size();
     const auto wanted = static_cast<std::size_t>(size);
     budget -= wanted;
@@ -41,6 +44,15 @@ void unpackInto(const Bytes& packed, std::int64_t size, Bytes& bytes, std::size_
     const std::size_t unpacked = ZSTD_decompress(bytes.data() + begin, wanted, packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0 || unpacked != wanted)
         throw DamagedData(Message("Project", "a row of the table blobs cannot be unpacked"));
+}
+
+/// How many pieces follow each other from the first one. All but the last are full.
+std::int64_t countFrom(const Row& first, std::size_t budget)
+{
+    const std::int64_t count = first.integer(2);
+    if (count > piecesOf(budget) || first.integer(0) > std::numeric_limits<std::int64_t>::max() - count)
+        throw DamagedData(Message("Project", "a number in the table blobs is out of range"));
+    return count;
 }
 
 } // namespace
@@ -85,7 +97,7 @@ Bytes Blobs::read(SQLite::Database& database, std::int64_t id, std::size_t& budg
         control.throwIfCancelled();
         const Row row = rowAt(database, "blobs", id + i);
         if (i == 0)
-            count = row.integer(2);
+            count = countFrom(row, budget);
         if (row.integer(1) != i || row.integer(2) != count)
             throw DamagedData(Message("Project", "pieces of the table blobs are mixed up"));
         unpackInto(row.bytes(4), row.integer(3), bytes, budget);

@@ -1,4 +1,5 @@
 #include "core/message/message.h"
+#include "io/files/own_folders.h"
 #include "io/project/recovery.h"
 #include "io/project/recovery_files.h"
 #include "io/project/rows.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -78,12 +78,7 @@ bool removedHalfMade(const fs::directory_entry& entry)
 
 std::string recoveryFolder()
 {
-    const char* state = std::getenv("XDG_STATE_HOME");
-    const char* home = std::getenv("HOME");
-    fs::path folder = state != nullptr && fs::path(state).is_absolute()
-                          ? fs::path(state)
-                          : fs::path(home != nullptr ? home : "/tmp") / ".local" / "state";
-    return (folder / "knead" / "recovery").string();
+    return ownFolder("XDG_STATE_HOME", ".local/state") + "/knead/recovery";
 }
 
 std::vector<Recovery> findRecoveries(const std::string& folder)

@@ -23,6 +23,8 @@ Bytes pack(std::span<const std::byte> bytes)
 
 Bytes unpack(std::span<const std::byte> packed, std::size_t size)
 {
+    if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != size) // before there is room for it
+        throw Problem(Message("Project", "it cannot be unpacked"));
     Bytes bytes(size);
     const std::size_t unpacked = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0)

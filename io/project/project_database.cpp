@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "io/formats/cad_format.h"
+#include "io/project/guarded_database.h"
 #include "io/project/schema.h"
 
 #include <SQLiteCpp/Backup.h>
@@ -56,27 +57,35 @@ void checkIsDatabase(const std::string& path)
 
 } // namespace
 
-OpenProject openProject(const std::string& path)
+OpenProject openProject(const std::string& path, const TaskControl& control)
 {
     checkIsDatabase(path);
     OpenProject project;
     project.bytes = fs::file_size(path);
     project.database = std::make_unique<SQLite::Database>(addressOf(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
     SQLite::Database& database = *project.database;
-    // The schema of a stranger's file runs no code of its own; that of a cut-off file may still be looked at.
-    database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA writable_schema = ON");
+    endQueriesWith(control, database);
+    guardDatabase(database, project.bytes);
+    database.exec("PRAGMA cell_size_check = ON; PRAGMA writable_schema = ON"); // looks at tables of a cut-off file, too
+    if (holdsCode(database))
+        failReading(path, Message("Project", "the file holds triggers, views or virtual tables, which no Knead writes: "
+                                             "somebody else put them there. Nothing of it was opened."));
+    freezeSchema(database);
     if (database.execAndGet("PRAGMA application_id").getInt() != applicationId && !hasTables(database, projectTables()))
         failReading(path, Message("Project", "this is a database of another program, not a Knead project."));
     project.version = database.execAndGet("PRAGMA user_version").getInt();
     return project;
 }
 
-std::unique_ptr<SQLite::Database> migratedCopy(SQLite::Database& database, int version)
+std::unique_ptr<SQLite::Database> migratedCopy(OpenProject& project, const TaskControl& control)
 {
     auto copy = std::make_unique<SQLite::Database>("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    SQLite::Backup(*copy, database).executeStep(-1);
+    endQueriesWith(control, *copy);
+    guardDatabase(*copy, project.bytes);
+    freezeSchema(*copy);
+    SQLite::Backup(*copy, *project.database).executeStep(-1);
     SQLite::Transaction transaction(*copy);
-    migrate(*copy, version);
+    migrate(*copy, project.version);
     transaction.commit();
     return copy;
 }

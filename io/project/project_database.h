@@ -20,11 +20,14 @@ struct OpenProject {
     std::uint64_t bytes = 0;
 };
 
-/// @throws Problem, when it is no file or no project, or cannot be read
-OpenProject openProject(const std::string& path);
+/// The file may be of a stranger: what it holds besides rows is not run, see guarded_database.h.
+/// @param control ends what SQLite does; lives longer than the result
+/// @throws Problem, when it is no file or no project, holds more than projects do, or cannot be read; SQLite::Exception
+OpenProject openProject(const std::string& path, const TaskControl& control);
 
-/// A copy that is gone with its connection, brought to the present version. @throws SQLite::Exception, DamagedData
-std::unique_ptr<SQLite::Database> migratedCopy(SQLite::Database& database, int version);
+/// A copy that is gone with its connection, brought to the present version, guarded as the file is.
+/// @throws SQLite::Exception, DamagedData
+std::unique_ptr<SQLite::Database> migratedCopy(OpenProject& project, const TaskControl& control);
 
 /// For a new database that is filled by one writer and then used by nobody under this name: no journal, no locks, no waiting
 /// for the disk. @throws SQLite::Exception

@@ -70,7 +70,7 @@ Project readFrom(OpenProject& file, ReadingChoices choices, TaskControl& control
 {
     std::unique_ptr<SQLite::Database> copy;
     if (file.version < schemaVersion)
-        copy = migratedCopy(*file.database, file.version);
+        copy = migratedCopy(file, control);
     SQLite::Database& database = copy != nullptr ? *copy : *file.database;
     if (!hasTables(database, projectTables()))
         throw DamagedData(Message("Project", "its tables are not those of a project"));
@@ -81,13 +81,14 @@ Project readFrom(OpenProject& file, ReadingChoices choices, TaskControl& control
 Project readWhole(const std::string& path, const ReadingChoices& choices, TaskControl& control)
 {
     try {
-        OpenProject file = openProject(path);
+        OpenProject file = openProject(path, control);
         if (file.version > versionWithModels)
             failReading(path, Message("Project", "a newer Knead saved this project (version %1 of the file; this "
                                                  "program reads up to %2). Update Knead to open it.")
                                   .with(file.version, versionWithModels));
         return readFrom(file, choices, control);
     } catch (const SQLite::Exception& error) {
+        control.throwIfCancelled(); // then it was interrupted
         failDamaged(path, messageOf(error));
     } catch (const DamagedData& error) {
         failDamaged(path, messageOf(error));
@@ -158,10 +159,10 @@ namespace {
 RescuedProject rescueProject(const std::string& path, TaskControl& control)
 {
     try {
-        OpenProject file = openProject(path);
+        OpenProject file = openProject(path, control);
         std::unique_ptr<SQLite::Database> copy;
         if (file.version >= 0 && file.version < schemaVersion)
-            copy = migratedCopy(*file.database, file.version);
+            copy = migratedCopy(file, control);
         ProjectReader reader(copy != nullptr ? *copy : *file.database, {.rescues = true, .bytes = file.bytes}, control);
         RescuedProject rescued;
         rescued.project = reader.read();
@@ -170,6 +171,7 @@ RescuedProject rescueProject(const std::string& path, TaskControl& control)
             failWithNothing(path);
         return rescued;
     } catch (const SQLite::Exception&) {
+        control.throwIfCancelled();
         failWithNothing(path);
     }
 }

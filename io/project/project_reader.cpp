@@ -4,6 +4,7 @@
 #include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
+#include "io/project/deformation_fields.h"
 #include "io/project/project_fields.h"
 #include "io/project/scene_fields.h"
 #include "io/project/schema.h"
@@ -41,6 +42,16 @@ void checkFixture(const Fixture& fixture, const Scene& scene)
         throw DamagedData(Message("Project", "a fixture is of a body that is not there"));
     checkObjects(fixture.objects, *scene.bodies[fixture.body].aggregate,
                  Message("Project", "a fixture has objects that are not there"));
+}
+
+/// Of a table that files may be without.
+bool hasRow(SQLite::Database& database, const TableForm& table, std::int64_t id)
+{
+    if (!database.tableExists(table.name))
+        return false;
+    SQLite::Statement statement(database, std::string("SELECT id FROM ") + table.name + " WHERE id = ?");
+    statement.bind(1, id);
+    return statement.executeStep();
 }
 
 std::uint64_t countIn(const Row& row, std::size_t column)
@@ -88,6 +99,7 @@ bool ProjectReader::attempt(const Message& what, const std::function<void()>& re
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
+        m_control.throwIfCancelled(); // which SQLite tells as an error
         const Message sentence = Message::verbatim("%1 (%2)").with(what, messageOf(error));
         if (!m_choices.rescues)
             throw DamagedData(sentence);
@@ -177,6 +189,7 @@ ProjectStart ProjectReader::startAt(std::int64_t id)
     const Row row = rowAt(m_database, "starts", id);
     ProjectStart start;
     start.model = modelOfStart(id);
+    start.deformations = deformationsOfStart(id);
     const std::shared_ptr<const Model>& model = modelOf(m_project, start);
     readFields(row.text(3), "settings", start.scene);
     const std::uint32_t bodies = row.index(1);
@@ -203,6 +216,17 @@ std::shared_ptr<const Model> ProjectReader::modelOfStart(std::int64_t id)
     if (model == nullptr)
         model = std::make_shared<const Model>(modelFromBytes(textOf(blob(row.integer(1)))));
     return model;
+}
+
+/// None where a recipe cannot say them, or an earlier version wrote the file.
+std::vector<RecipeDeformation> ProjectReader::deformationsOfStart(std::int64_t id)
+{
+    StartDeformations deformations;
+    attempt(Message("Project", "how the parts of start state %1 were deformed").with(id), [&] {
+        if (hasRow(m_database, startDeformations, id))
+            readFields(rowAt(m_database, startDeformations.name, id).text(1), "deformations", deformations);
+    });
+    return deformations.all;
 }
 
 /// @return the part that it is of
@@ -339,9 +363,7 @@ void ProjectReader::readWords()
     attempt(Message("Project", "what entries are called"), [&] { isThere = m_database.tableExists(entryWords.name); });
     for (std::size_t id = 0; isThere && id < m_entries.size(); ++id)
         attempt(Message("Project", "what entry %1 is called").with(id), [&] {
-            SQLite::Statement statement(m_database, std::string("SELECT id FROM ") + entryWords.name + " WHERE id = ?");
-            statement.bind(1, static_cast<std::int64_t>(id));
-            if (!m_entries[id] || !statement.executeStep())
+            if (!m_entries[id] || !hasRow(m_database, entryWords, static_cast<std::int64_t>(id)))
                 return;
             const Row row = rowAt(m_database, entryWords.name, static_cast<std::int64_t>(id));
             HistoryRecord& record = m_project.entries[*m_entries[id]];

@@ -50,6 +50,7 @@ private:
     void readStarts();
     ProjectStart startAt(std::int64_t id);
     std::shared_ptr<const Model> modelOfStart(std::int64_t id);
+    std::vector<RecipeDeformation> deformationsOfStart(std::int64_t id);
     std::size_t readBody(const Row& row, const std::shared_ptr<const Model>& model, Body& body);
     std::shared_ptr<const Aggregate> aggregateAt(std::int64_t id);
     void readEntries();

@@ -3,6 +3,7 @@
 #include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
+#include "io/project/deformation_fields.h"
 #include "io/project/project_fields.h"
 #include "io/project/scene_fields.h"
 #include "io/project/schema.h"
@@ -70,7 +71,7 @@ ProjectTables::ProjectTables(SQLite::Database& database)
 {
     for (const TableForm& table : projectTables())
         m_rows[table.name] = 0;
-    for (const TableForm& table : {entryWords, startModels}) {
+    for (const TableForm& table : {entryWords, startModels, startDeformations}) {
         m_database.exec(table.sql);
         m_database.exec(std::string("DELETE FROM ") + table.name); // a program that does not know it may have left some
     }
@@ -116,6 +117,8 @@ void ProjectTables::addStart(const ProjectStart& start)
     const std::string settings = jsonOf(start.scene, m_tools);
     putRow(m_database, "starts", {id, static_cast<std::int64_t>(start.scene.bodies.size()), firstBody, settings});
     putRow(m_database, startModels.name, {id, start.model ? RowValue(numberOf(start.model)) : RowValue()});
+    if (start.model && !start.deformations.empty())
+        putRow(m_database, startDeformations.name, {id, jsonOf(StartDeformations{start.deformations})});
     addNewToolParts();
 }
 

@@ -35,6 +35,12 @@ constexpr TableForm entryWords{"entry_words", "CREATE TABLE IF NOT EXISTS entry_
 constexpr TableForm startModels{"start_models", "CREATE TABLE IF NOT EXISTS start_models (id INTEGER PRIMARY KEY, "
                                                 "model_blob INTEGER, row_check INTEGER)"};
 
+/// Per start with a model of its own what made that of the parts of the project, as JSON, where a recipe can say it. Files may be
+/// without it, and programs that do not know it need not: it came later.
+constexpr TableForm startDeformations{"start_deformations",
+                                      "CREATE TABLE IF NOT EXISTS start_deformations (id INTEGER PRIMARY KEY, "
+                                      "deformations TEXT, row_check INTEGER)"};
+
 void makeTables(SQLite::Database& database, std::span<const TableForm> tables);
 
 /// Whether all of these tables are there and were made as makeTables() does.

@@ -8,16 +8,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 #include <thread>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,7 +25,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int lowestOwn = 16; // descriptors of the parent are above those of the child
 constexpr std::size_t longestMessage = 4096;
 constexpr int pollInterval = 50; // [ms]
 
@@ -66,17 +61,6 @@ struct Pipe {
     Descriptor readEnd;
     Descriptor writeEnd;
 };
-
-/// The same file under a number that no descriptor of the child has.
-int raised(int descriptor)
-{
-    const int result = fcntl(descriptor, F_DUPFD_CLOEXEC, lowestOwn);
-    const int error = errno;
-    ::close(descriptor);
-    if (result < 0)
-        fail(Message("Work", "A pipe to another process cannot be made (%1)."), error);
-    return result;
-}
 
 class SpawnActions {
 public:
@@ -139,10 +123,16 @@ pid_t start(const ChildProgram& program, int lines)
     for (const std::string& argument : program.arguments)
         words.push_back(const_cast<char*>(argument.c_str())); // posix_spawn only reads them
     words.push_back(nullptr);
+    std::vector<char*> variables;
+    if (program.environment) {
+        for (const std::string& variable : *program.environment)
+            variables.push_back(const_cast<char*>(variable.c_str()));
+        variables.push_back(nullptr);
+    }
     pid_t child = 0;
     const SpawnAttributes attributes;
-    const int error =
-        posix_spawnp(&child, program.program.c_str(), actions.get(), attributes.get(), words.data(), environ);
+    const int error = posix_spawnp(&child, program.program.c_str(), actions.get(), attributes.get(), words.data(),
+                                   program.environment ? variables.data() : environ);
     if (error != 0)
         fail(Message("Work", "The process of %1 cannot be started (%2).").with(program.program), error);
     return child;
@@ -228,69 +218,7 @@ private:
     std::string m_line;
 };
 
-void limit(__rlimit_resource_t resource, rlim_t value)
-{
-    rlimit limits{};
-    getrlimit(resource, &limits);
-    limits.rlim_cur = std::min(value, limits.rlim_max);
-    setrlimit(resource, &limits);
-}
-
 } // namespace
-
-NamelessFile::NamelessFile()
-{
-    std::error_code error;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-    if (error)
-        throw Problem(Message("File", "There is no folder for temporary files; set TMPDIR to one you may write to."));
-    std::string name = (folder / "knead-XXXXXX").string();
-    const int descriptor = mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor < 0)
-        fail(Message("File", "%1: no temporary file can be made there (%2).").with(folder.string()), errno);
-    unlink(name.c_str());
-    m_descriptor = raised(descriptor);
-}
-
-NamelessFile::~NamelessFile()
-{
-    close(m_descriptor);
-}
-
-void NamelessFile::write(std::string_view bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(m_descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            fail(Message("File", "The folder for temporary files takes no more; make room there, or set TMPDIR to "
-                                 "another folder (%1)."),
-                 errno);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-}
-
-std::string NamelessFile::content() const
-{
-    struct stat facts {};
-    if (fstat(m_descriptor, &facts) != 0)
-        fail(Message("Work", "What was read cannot be fetched (%1)."), errno);
-    std::string bytes(static_cast<std::size_t>(facts.st_size), '\0');
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = pread(m_descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            fail(Message("Work", "What was read cannot be fetched (%1)."), errno);
-        if (count == 0)
-            break;
-        done += static_cast<std::size_t>(count);
-    }
-    bytes.resize(done);
-    return bytes;
-}
 
 ChildEnd runChild(const ChildProgram& program, double wallTime,
                   const std::function<void(std::string_view line)>& onLine, const std::function<bool()>& isCancelled)
@@ -299,7 +227,7 @@ ChildEnd runChild(const ChildProgram& program, double wallTime,
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
         fail(Message("Work", "A pipe to another process cannot be made (%1)."), errno);
     Descriptor readEnd(ends[0]);
-    Descriptor writeEnd(raised(ends[1]));
+    Descriptor writeEnd(aboveThoseOfChildren(ends[1]));
     const Clock::time_point deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wallTime));
     Child child(start(program, writeEnd.get()));
@@ -339,28 +267,6 @@ Message reasonOfSignal(int signal)
     default:
         return Message("Work", "signal %1").with(signal);
     }
-}
-
-void endWithParent()
-{
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    pollfd parent{.fd = child_descriptors::lines, .events = POLLOUT, .revents = 0};
-    if (poll(&parent, 1, 0) > 0 && (parent.revents & POLLERR) != 0) // it ended before the line above
-        _exit(1);
-}
-
-void limitOwnProcess(const OwnLimits& limits)
-{
-    endWithParent();
-    std::signal(SIGXFSZ, SIG_IGN); // a write that the disk refuses is told by its result
-    limit(RLIMIT_CORE, 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose address space is vast
-    if (limits.memory > 0)
-        limit(RLIMIT_AS, limits.memory);
-#endif
-    if (limits.processorTime > 0)
-        limit(RLIMIT_CPU, limits.processorTime);
-    setpriority(PRIO_PROCESS, 0, 5);
 }
 
 } // namespace knead

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/message/message.h"
+#include "io/files/nameless_file.h"
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,27 +10,6 @@
 #include <vector>
 
 namespace knead {
-
-/// A file that has no name and is gone with the last process that holds it: nothing is left behind, whatever happens.
-class NamelessFile {
-public:
-    /// @throws Problem, when the folder for temporary files takes none
-    NamelessFile();
-    ~NamelessFile();
-    NamelessFile(const NamelessFile&) = delete;
-    NamelessFile& operator=(const NamelessFile&) = delete;
-
-    int descriptor() const { return m_descriptor; }
-
-    /// Appends. @throws Problem, when the folder takes no more
-    void write(std::string_view bytes);
-
-    /// All that was written, by whomever. @throws Problem
-    std::string content() const;
-
-private:
-    int m_descriptor = -1;
-};
 
 /// Where a child finds what it inherits, besides an empty input and its outputs.
 namespace child_descriptors {
@@ -45,6 +24,7 @@ struct ChildProgram {
     const NamelessFile* result = nullptr; ///< inherited as child_descriptors::result
     const NamelessFile* output = nullptr; ///< takes what the child prints; without it that leads nowhere
     const NamelessFile* errors = nullptr; ///< the same for its messages
+    std::optional<std::vector<std::string>> environment{}; ///< "NAME=value" each; none: that of this process
 };
 
 /// How a child ended.
@@ -70,17 +50,5 @@ ChildEnd runChild(const ChildProgram& program, double wallTime,
 
 /// Why a signal ends a process, in a few words: "memory access".
 Message reasonOfSignal(int signal);
-
-/// Called by the child: it ends when the thread that started it ends.
-void endWithParent();
-
-/// Limits that a child sets itself before it does anything else.
-struct OwnLimits {
-    std::uint64_t memory = 0;   ///< of address space [bytes]; 0: none
-    unsigned processorTime = 0; ///< [s]; 0: none
-};
-
-/// Called by the child: limits itself, leaves no core file, gives way to the window, and ends when its parent ends.
-void limitOwnProcess(const OwnLimits& limits);
 
 } // namespace knead

@@ -24,7 +24,7 @@ std::vector<std::string> argumentsForExport(FormatKind kind, const std::string& 
 {
     const Json json{
         {"kind", static_cast<int>(kind)}, {"memory", limits.memory}, {"processorTime", limits.processorTime}};
-    return {"knead", exportCommand, path, json.dump()};
+    return {"knead-cad-worker", exportCommand, path, json.dump()};
 }
 
 bool isExportWorker(int argc, char** argv)
@@ -36,13 +36,14 @@ int runExportWorker(int, char** argv)
 {
     const std::string path = argv[2];
     const Json request = Json::parse(argv[3]);
-    serveParent({request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
-                shortName(path),
-                Message("Export", "the export asks for more memory than there is; export fewer parts at a time."),
-                [&](TaskControl& control) {
-                    return exportedToBytes(exportCad(static_cast<FormatKind>(request.at("kind").get<int>()),
-                                                     jobFromBytes(requestOfParent()), control));
-                });
+    serveParent({.limits = {request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
+                 .subject = shortName(path),
+                 .outOfMemory =
+                     Message("Export", "the export asks for more memory than there is; export fewer parts at a time."),
+                 .work = [&](TaskControl& control) {
+                     return exportedToBytes(exportCad(static_cast<FormatKind>(request.at("kind").get<int>()),
+                                                      jobFromBytes(requestOfParent()), control));
+                 }});
 }
 
 } // namespace knead

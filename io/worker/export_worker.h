@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/formats/cad_format.h"
-#include "io/worker/child_process.h"
+#include "io/worker/own_process.h"
 
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 #include "core/model/file_names.h"
 #include "io/fields/field_bytes.h"
 #include "io/fields/field_reader.h"
+#include "io/worker/confinement.h"
 #include "io/worker/worker_process.h"
 
 #include <nlohmann/json.hpp>
@@ -35,11 +36,14 @@ std::string fieldBytesFor(const std::string& path, const Json& request, TaskCont
 
 std::vector<std::string> argumentsForField(const FieldReadingRequest& request)
 {
-    const Json json{
-        {"mesh", request.isForMesh},       {"step", request.choice.step ? Json(*request.choice.step) : Json()},
-        {"name", request.choice.name},     {"unit", request.choice.unit},
-        {"memory", request.limits.memory}, {"processorTime", request.limits.processorTime}};
-    return {"knead", fieldCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
+    const Json json{{"namesOthers", request.namesOthers},
+                    {"mesh", request.isForMesh},
+                    {"step", request.choice.step ? Json(*request.choice.step) : Json()},
+                    {"name", request.choice.name},
+                    {"unit", request.choice.unit},
+                    {"memory", request.limits.memory},
+                    {"processorTime", request.limits.processorTime}};
+    return {"knead-cad-worker", fieldCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
 }
 
 bool isFieldWorker(int argc, char** argv)
@@ -51,10 +55,12 @@ int runFieldWorker(int, char** argv)
 {
     const std::string path = argv[2];
     const Json request = Json::parse(argv[3]);
-    serveParent({request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
-                shortName(path),
-                Message("Field", "the file asks for more memory than there is; write fewer steps and values into it."),
-                [&](TaskControl& control) { return fieldBytesFor(path, request, control); });
+    serveParent({.limits = {request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
+                 .readable = readableFor(path, request.at("namesOthers").get<bool>()),
+                 .subject = shortName(path),
+                 .outOfMemory = Message(
+                     "Field", "the file asks for more memory than there is; write fewer steps and values into it."),
+                 .work = [&](TaskControl& control) { return fieldBytesFor(path, request, control); }});
 }
 
 } // namespace knead

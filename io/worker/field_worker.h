@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/model/field_file.h"
-#include "io/worker/child_process.h"
+#include "io/worker/own_process.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,8 @@ struct FieldReadingRequest {
     std::string path;
     FieldChoice choice; ///< of a mesh only the unit counts
     bool isForMesh = false;
-    OwnLimits limits;
+    OwnLimits limits{};
+    bool namesOthers = false; ///< see readableFor()
 };
 
 /// The arguments of a program that calls runFieldWorker(), its name first.

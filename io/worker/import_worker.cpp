@@ -4,6 +4,7 @@
 #include "io/formats/cad_format.h"
 #include "io/importer.h"
 #include "io/previewer.h"
+#include "io/worker/confinement.h"
 #include "io/worker/model_file.h"
 #include "io/worker/worker_process.h"
 
@@ -47,7 +48,8 @@ std::string bytesFor(const std::string& path, const Json& request, TaskControl& 
 
 std::vector<std::string> argumentsFor(const ReadingRequest& request)
 {
-    const Json json{{"preview", request.task == ReadingTask::preview},
+    const Json json{{"namesOthers", request.namesOthers},
+                    {"preview", request.task == ReadingTask::preview},
                     {"linearDeflection", request.options.linearDeflection},
                     {"relativeDeflection", request.options.relativeDeflection},
                     {"angularDeflection", request.options.angularDeflection},
@@ -58,7 +60,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
                     {"parts", request.options.parts},
                     {"memory", request.limits.memory},
                     {"processorTime", request.limits.processorTime}};
-    return {"knead", importCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
+    return {"knead-cad-worker", importCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
 }
 
 bool isImportWorker(int argc, char** argv)
@@ -70,10 +72,12 @@ int runImportWorker(int, char** argv)
 {
     const std::string path = argv[2];
     const Json request = Json::parse(argv[3]);
-    serveParent({request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
-                shortName(path),
-                Message("Import", "the file asks for more memory than there is; it is damaged or far too detailed."),
-                [&](TaskControl& control) { return bytesFor(path, request, control); });
+    serveParent({.limits = {request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
+                 .readable = readableFor(path, request.at("namesOthers").get<bool>()),
+                 .subject = shortName(path),
+                 .outOfMemory = Message(
+                     "Import", "the file asks for more memory than there is; it is damaged or far too detailed."),
+                 .work = [&](TaskControl& control) { return bytesFor(path, request, control); }});
 }
 
 } // namespace knead

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/model/import_options.h"
-#include "io/worker/child_process.h"
+#include "io/worker/own_process.h"
 
 #include <string>
 #include <vector>
@@ -16,6 +16,7 @@ struct ReadingRequest {
     std::string path;
     ImportOptions options;
     OwnLimits limits;
+    bool namesOthers = false; ///< see readableFor()
 };
 
 /// The arguments of a program that calls runImportWorker(), its name first.

@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "io/fields/field_bytes.h"
+#include "io/fields/field_reader.h"
 #include "io/formats/cad_format.h"
 #include "io/worker/field_worker.h"
 #include "io/worker/isolated_import.h"
@@ -20,7 +21,7 @@ Result readFieldWork(const std::string& program, FieldReadingRequest request, Ta
 {
     const std::string& path = request.path;
     control.throwIfCancelled();
-    sizeOfFile(path); // what is no file needs no process to be told so
+    request.namesOthers = isFieldCollection(path); // what is no file needs no process to be told so
     const ImportLimits limits = limitsFor(path);
     request.limits = {limits.memory, static_cast<unsigned>(std::ceil(limits.processorTime))};
     const NamelessFile file;

@@ -29,14 +29,21 @@ double machineMemory()
     return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+/// Parts of an assembly, colors and numbers of a mesh.
+bool namesOtherFiles(FormatKind kind)
+{
+    return kind == FormatKind::Step || kind == FormatKind::Obj || kind == FormatKind::Gltf;
+}
+
 /// Runs the request in a process of its own and returns what it left.
 template <class Result>
-Result readIsolated(const std::string& program, const ReadingRequest& request, const ImportLimits& limits,
+Result readIsolated(const std::string& program, ReadingRequest request, const ImportLimits& limits,
                     TaskControl& control, Result (*fromBytes)(std::string_view))
 {
     const std::string& path = request.path;
     control.throwIfCancelled();
-    recognizeFormat(path); // what is no CAD file at all needs no process to be told so
+    // What is no CAD file at all needs no process to be told so.
+    request.namesOthers = namesOtherFiles(recognizeFormat(path));
     const NamelessFile file;
     const IsolatedWork work{
         .program = program,

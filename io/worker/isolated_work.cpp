@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "io/formats/cad_format.h"
+#include "io/worker/confinement.h"
 #include "io/worker/model_file.h"
 #include "io/worker/worker_process.h"
 
@@ -74,7 +75,10 @@ std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, Task
     control.throwIfCancelled();
     StageList stages(control);
     const ChildEnd end = runChild(
-        {.program = work.program, .arguments = work.arguments, .result = &file},
+        {.program = work.program,
+         .arguments = work.arguments,
+         .result = &file,
+         .environment = environmentForConfined()},
         work.wallTime > 0 ? work.wallTime : 1e9, [&](std::string_view line) { stages.take(line); },
         [&] { return control.isCancelled(); });
     if (end.kind == ChildEnd::Kind::cancelled)

@@ -1,6 +1,8 @@
 #include "io/worker/worker_process.h"
 
 #include "core/message/message.h"
+#include "io/worker/child_process.h"
+#include "io/worker/confinement.h"
 #include "io/worker/model_file.h"
 
 #include <Standard_OutOfMemory.hxx>
@@ -106,20 +108,20 @@ bool emptyResult()
 
 } // namespace
 
-void serveParent(const OwnLimits& limits, const std::string& subject, const Message& outOfMemory,
-                 const std::function<std::string(TaskControl&)>& work)
+void serveParent(const ServedWork& served)
 {
-    limitOwnProcess(limits);
-    outOfMemoryBytes() = failureToBytes(Message::verbatim("%1: %2").with(subject, outOfMemory));
+    limitOwnProcess(served.limits);
+    confineOwnProcess(served.readable);
+    outOfMemoryBytes() = failureToBytes(Message::verbatim("%1: %2").with(served.subject, served.outOfMemory));
     std::set_terminate(endTerminated);
-    const std::string bytes = bytesOf(work);
+    const std::string bytes = bytesOf(served.work);
     if (!emptyResult() || !writeAll(child_descriptors::result, bytes)) {
         const std::string reason = std::generic_category().message(errno);
         if (emptyResult())
             writeAll(child_descriptors::result,
                      failureToBytes(Message("File", "%1: the folder for temporary files takes no more (%2); make room "
                                                     "there, or set TMPDIR to another folder.")
-                                        .with(subject, reason)));
+                                        .with(served.subject, reason)));
     }
     _exit(0); // the work is done; the CAD libraries may fall over while they tidy up
 }

@@ -1,7 +1,10 @@
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "io/importer.h"
+#include "io/worker/confinement.h"
 #include "io/worker/isolated_import.h"
 #include "support/skip.h"
+#include "support/step_machine.h"
 
 #include <QtTest>
 
@@ -18,7 +21,7 @@ using namespace knead;
 
 namespace {
 
-const std::string program = KNEAD_PROGRAM;
+const std::string program = cadProgramBeside(KNEAD_PROGRAM);
 /// More than any of this takes, also beside much other work on a slow machine.
 constexpr ImportLimits plenty{.memory = 0, .processorTime = 0, .wallTime = 600};
 constexpr double patience = 4; // s for those that hang: time enough for them to start and to say what they do
@@ -183,6 +186,56 @@ private slots:
         QVERIFY(stages.names.contains("making shapes") && stages.names.contains("measuring parts"));
         QVERIFY(stages.isForward);
         QCOMPARE(stages.last, 1.0);
+    }
+
+    /// From its first word on, while it reads.
+    void theReaderIsLockedIn()
+    {
+        class StatusOfChild final : public TaskControl {
+        public:
+            void report(double, std::string_view) override
+            {
+                std::ifstream children("/proc/thread-self/children");
+                std::string child;
+                if (status.empty() && children >> child) {
+                    std::ifstream file("/proc/" + child + "/status");
+                    status = {std::istreambuf_iterator<char>(file), {}};
+                }
+            }
+            bool isCancelled() const override { return false; }
+
+            std::string status;
+        } control;
+        QCOMPARE(importInChild(example("bar.step"), {}, control).parts.size(), 1U);
+        QVERIFY2(mentions(control.status, "NoNewPrivs:\t1\n"), control.status.c_str());
+        QCOMPARE(mentions(control.status, "Seccomp:\t2\n"), confinementHere().filtersCalls);
+        QVERIFY2(mentions(control.status, "Name:\tknead-cad-worke\n"), control.status.c_str());
+    }
+
+    void filesBesideAnAssemblyAreRead()
+    {
+        QTemporaryDir folder;
+        QVERIFY(writeMachine(folder.path()));
+        const std::string path = folder.filePath("machine.stp").toStdString();
+        QCOMPARE(importInChild(path, {}, TaskControl::none()).parts.size(), 3U);
+    }
+
+    void aFileBehindALinkIsRead()
+    {
+        const std::string link = m_folder.filePath("link.step").toStdString();
+        std::filesystem::create_symlink(example("bar.step"), link);
+        QCOMPARE(importInChild(link, {}, TaskControl::none()).parts.size(), 1U);
+    }
+
+    void theProgramIsFoundInAnInstalledTree()
+    {
+        QTemporaryDir root;
+        const std::string bin = root.filePath("bin/knead").toStdString();
+        QVERIFY(QDir(root.path()).mkpath("bin") && QDir(root.path()).mkpath("libexec/knead"));
+        QCOMPARE(cadProgramBeside(bin), root.filePath("bin/knead-cad-worker").toStdString());
+        const std::string installed = root.filePath("libexec/knead/knead-cad-worker").toStdString();
+        std::ofstream(installed) << "program";
+        QCOMPARE(cadProgramBeside(bin), installed);
     }
 
     void optionsReachTheReader()

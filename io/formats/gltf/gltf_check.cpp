@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "core/model/readable_name.h"
+#include "io/files/neighbor_file.h"
 #include "io/formats/cad_format.h"
 
 #include <nlohmann/json.hpp>
@@ -105,7 +106,7 @@ void checkBuffers(const std::string& path, const Json& json)
         const std::string uri = buffer.is_object() ? textAt(buffer, "uri") : "";
         if (uri.empty() || uri.starts_with("data:"))
             continue;
-        if (!std::filesystem::is_regular_file(std::filesystem::path(path).parent_path() / fromUri(uri)))
+        if (!isNeighborFile(std::filesystem::path(path).parent_path() / fromUri(uri), path))
             failReading(path,
                         Message("Import", "the glTF keeps its numbers in \"%1\", which is not beside it; put it there.")
                             .with(readableName(std::string_view(fromUri(uri)))));

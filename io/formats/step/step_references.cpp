@@ -1,6 +1,8 @@
 #include "io/formats/step/step_references.h"
 
 #include "core/message/message.h"
+#include "core/model/readable_name.h"
+#include "io/files/neighbor_file.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/step/step_check.h"
 
@@ -57,10 +59,14 @@ Message checkReferredFiles(const STEPControl_Reader& reader, const std::string& 
         if (!isNamedAs(FormatKind::Step, name))
             continue; // a drawing or another document, which holds no parts
         std::error_code error;
-        if (!std::filesystem::is_regular_file(file, error))
+        if (!std::filesystem::exists(file, error))
             missing.push_back(name);
-        else
+        else if (isNeighborFile(file.string(), path))
             checkStepText(file.string(), control);
+        else // the reader would open it
+            failReading(path, Message("Step", "the assembly refers to %1, which is no ordinary file in its folder; put "
+                                              "the file beside the assembly and open that again.")
+                                  .with(readableName(name)));
     }
     return missing.empty() ? Message() : missingWords(missing);
 }
