@@ -2,12 +2,12 @@
 
 #include "core/aggregate/material_history.h"
 #include "core/message/message.h"
+#include "io/files/own_folders.h"
 #include "io/files/safe_file.h"
 #include "io/json/json_reader.h"
 #include "io/json/json_text.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 namespace knead {
@@ -60,12 +60,7 @@ std::vector<MaterialPreset> readMaterials(const std::string& path)
 
 std::string ownMaterialsFile()
 {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const fs::path folder = config != nullptr && fs::path(config).is_absolute()
-                                ? fs::path(config)
-                                : fs::path(home != nullptr ? home : "/tmp") / ".config";
-    return (folder / "knead" / "materials.json").string();
+    return ownFolder("XDG_CONFIG_HOME", ".config") + "/knead/materials.json";
 }
 
 std::vector<MaterialPreset> readOwnMaterials(const std::string& path)

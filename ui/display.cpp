@@ -456,8 +456,8 @@ void Display::follow()
 /// Another part looks as what it is made of.
 void Display::contentChanged()
 {
-    const std::shared_ptr<const Model> before = std::exchange(m_model, m_bench.document.content().model);
-    if (before != nullptr && before != m_model)
+    const std::shared_ptr<const Model> before = std::exchange(m_opened, m_bench.document.opened());
+    if (before != nullptr && before != m_opened)
         setQuantity(std::nullopt);
     follow();
 }

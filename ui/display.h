@@ -112,9 +112,9 @@ private:
     QList<QAction*> m_shown;
     QMenu* m_menu = nullptr;
     Section m_plane;
-    std::shared_ptr<const Model> m_model; ///< that was opened
-    Box m_placedIn;                       ///< what the plane was placed in [m]; empty at first
-    bool m_isFollowing = false;           ///< actions only show what the view has
+    std::shared_ptr<const Model> m_opened; ///< see Document::opened()
+    Box m_placedIn;                        ///< what the plane was placed in [m]; empty at first
+    bool m_isFollowing = false;            ///< actions only show what the view has
     bool m_lendsObjects = false;
 };
 

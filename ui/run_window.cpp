@@ -2,6 +2,7 @@
 
 #include "ui/frame/main_window.h"
 #include "ui/language/language.h"
+#include "ui/plain_texts.h"
 #include "ui/preferences/preferences.h"
 #include "ui/project/project_keeper.h"
 #include "ui/theme.h"
@@ -48,6 +49,8 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
     QApplication::setApplicationName("knead");
     QApplication::setOrganizationName("knead");
     QApplication::setApplicationDisplayName("Knead");
+    QApplication::setDesktopFileName("org.knead.Knead"); // for the icon of the window: see resources/desktop
+    showTextsAsTheyStand();
     speak(languageFor(readPreferences().language));
     if (const QString problem = graphicsProblem(); !problem.isEmpty())
         return tell(problem);

@@ -111,16 +111,13 @@ void judgeRoughness(const FieldDeformation& deformation, const SmoothMap& given,
 {
     const DisplacementField& field = *deformation.field;
     const double moves = boxOfPlaces(field.displacements).diagonal().norm();
-    const bool isPlain = deformation.factor == 1 && deformation.kept.empty() &&
-                         std::ranges::none_of(deformation.locked, [](bool isLocked) { return isLocked; });
-    const std::shared_ptr<const SmoothMap> own = isPlain ? nullptr : fieldMap({.field = deformation.field}, control);
-    const SmoothMap& map = isPlain ? given : *own;
+    const std::shared_ptr<const SmoothMap> own = fieldMap({.field = deformation.field}, control, &given);
     const std::size_t count = std::min(field.nodes.size(), roughSamples);
     std::vector<Vec3> nodes(count);
     for (std::size_t i = 0; i < count; ++i)
         nodes[i] = field.nodes[i * field.nodes.size() / count];
     std::vector<Vec3> places(count);
-    map.evaluate(nodes, places);
+    own->evaluate(nodes, places);
     std::size_t missed = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double off = (places[i] - nodes[i] - field.displacements[i * field.nodes.size() / count]).norm();

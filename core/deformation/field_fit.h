@@ -39,8 +39,7 @@ struct FieldFit {
     bool folds() const { return determinant.value <= 0; }
 };
 
-/// Looks at points evenly over the surfaces, and at nodes. Where faces are kept, directions locked or the factor is not 1 the
-/// map of the field alone is made, which takes as long as the map did. Any thread.
+/// Looks at points evenly over the surfaces, and at nodes. Any thread.
 /// @param map of the deformation, as fieldMap() makes it
 /// @param parts their surfaces, none empty @pre at least one
 /// @param unit in which the file of the field was read, as LengthUnit::name; empty: unknown

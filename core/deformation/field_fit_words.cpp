@@ -26,12 +26,12 @@ std::string fieldPercent(double share)
     return inDigits(100 * share, 3);
 }
 
-/// "at (1, 2, 3) mm" or "on face 4, at (1, 2, 3) mm".
+/// "at (1, 2, 3) mm" or "on face 4, at (1, 2, 3) mm"; faces count from 0, as everywhere.
 Message where(const PlaceOnParts& at)
 {
     if (!at.face)
         return Message("Field", "at %1").with(placeInMillimetres(at.place));
-    return Message("Field", "on face %1, at %2").with(*at.face + 1, placeInMillimetres(at.place));
+    return Message("Field", "on face %1, at %2").with(*at.face, placeInMillimetres(at.place));
 }
 
 std::string sizesText(const Box& box)

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace knead {
 
@@ -56,6 +57,13 @@ void check(const FieldDeformation& deformation)
             refuse(Message("Deformation", "A face that stays where it is has a corner that is no place."));
 }
 
+/// What took long in a map that is made anew of the same field.
+struct FittedField {
+    std::shared_ptr<const DisplacementField> field;
+    std::shared_ptr<const PatchTree> tree;
+    Box box; ///< of the nodes [m]
+};
+
 /// Nodes in one place as one, which moves as they do on average: of a mesh that is not joined, or of bodies that touch.
 DisplacementField merged(const DisplacementField& field)
 {
@@ -83,15 +91,15 @@ DisplacementField merged(const DisplacementField& field)
 
 class FieldMap final : public SmoothMap {
 public:
-    FieldMap(const FieldDeformation& deformation, TaskControl& control)
-        : m_tree(merged(*deformation.field), control)
+    FieldMap(const FieldDeformation& deformation, FittedField fitted)
+        : m_fitted(std::move(fitted))
     {
         for (Eigen::Index axis = 0; axis < 3; ++axis)
             m_factors[axis] = deformation.locked[static_cast<std::size_t>(axis)] ? 0 : deformation.factor;
-        const double size = boxOfPlaces(deformation.field->nodes).diagonal().norm();
+        const double size = m_fitted.box.diagonal().norm();
+        const double leaf = m_fitted.tree->leafSide();
         m_featureSize =
-            size > 0 ? std::clamp(featureOfLeaf * m_tree.leafSide(), shortestFeature * size, longestFeature * size)
-                     : m_tree.leafSide();
+            size > 0 ? std::clamp(featureOfLeaf * leaf, shortestFeature * size, longestFeature * size) : leaf;
         if (!deformation.kept.empty()) {
             m_kept.emplace(deformation.kept, deformation.fade);
             m_featureSize = std::min(m_featureSize, featureOfFade * deformation.fade);
@@ -106,26 +114,37 @@ public:
         });
     }
     double featureSize() const override { return m_featureSize; }
+    const FittedField& fitted() const { return m_fitted; }
 
 private:
     Vec3 weightedAt(const Vec3& point) const
     {
         const double weight = m_kept ? m_kept->at(point) : 1;
-        return weight > 0 ? Vec3(weight * m_tree.displacementAt(point)) : Vec3(Vec3::Zero());
+        return weight > 0 ? Vec3(weight * m_fitted.tree->displacementAt(point)) : Vec3(Vec3::Zero());
     }
 
-    PatchTree m_tree;
+    FittedField m_fitted;
     std::optional<KeptWeight> m_kept;
     Vec3 m_factors; ///< along x, y, z
     double m_featureSize = 0;
 };
 
+/// @param earlier null: none
+FittedField fittedField(const std::shared_ptr<const DisplacementField>& field, TaskControl& control,
+                        const SmoothMap* earlier)
+{
+    if (const auto* before = dynamic_cast<const FieldMap*>(earlier); before && before->fitted().field == field)
+        return before->fitted();
+    return {field, std::make_shared<const PatchTree>(merged(*field), control), boxOfPlaces(field->nodes)};
+}
+
 } // namespace
 
-std::shared_ptr<const SmoothMap> fieldMap(const FieldDeformation& deformation, TaskControl& control)
+std::shared_ptr<const SmoothMap> fieldMap(const FieldDeformation& deformation, TaskControl& control,
+                                          const SmoothMap* earlier)
 {
     check(deformation);
-    return std::make_shared<const FieldMap>(deformation, control);
+    return std::make_shared<const FieldMap>(deformation, fittedField(deformation.field, control, earlier));
 }
 
 } // namespace knead

@@ -77,6 +77,19 @@ HeightRange heightsBetweenPlanes(const NumberDeformation& deformation, const Tri
     return range.isEmpty() ? HeightRange{} : range;
 }
 
+HeightRange heightsBetweenPlanes(const NumberDeformation& deformation, std::span<const TriangleMesh> meshes)
+{
+    HeightRange all;
+    for (const TriangleMesh& mesh : meshes) {
+        const HeightRange own = heightsBetweenPlanes(deformation, mesh);
+        if (all.isEmpty())
+            all = own;
+        else if (!own.isEmpty())
+            all = {std::min(all.least, own.least), std::max(all.most, own.most)};
+    }
+    return all;
+}
+
 double neutralOfSheet(const NumberDeformation& deformation, const HeightRange& heights, double kFactor)
 {
     const bool isMostInside = innerSign(deformation) > 0;

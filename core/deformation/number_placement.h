@@ -5,6 +5,7 @@
 #include "core/message/message.h"
 
 #include <optional>
+#include <span>
 
 namespace knead {
 
@@ -21,6 +22,8 @@ struct HeightRange {
     bool isEmpty() const { return most < least; }
 };
 HeightRange heightsBetweenPlanes(const NumberDeformation& deformation, const TriangleMesh& mesh);
+/// Of several parts together.
+HeightRange heightsBetweenPlanes(const NumberDeformation& deformation, std::span<const TriangleMesh> meshes);
 
 /// NumberDeformation::neutral of a bent sheet: k of its thickness from the surface on the inner side, as sheet metal workers give it,
 /// 0.5 being the middle. Its angle says which side is the inner one.

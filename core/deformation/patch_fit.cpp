@@ -62,10 +62,11 @@ PatchFit fitPatch(const DisplacementField& field, std::span<const std::uint32_t>
     const Eigen::LLT<Square> cholesky(equations.square);
     const QuadraticPatch::Coefficients change = cholesky.solve(equations.right).transpose();
     fit.patch.coefficients += change;
+    const Square inverse = cholesky.matrixL().solve(Square::Identity()); // quicker than to solve for each node
     double squares = 0;
     double weights = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double share = seen[i].weight * cholesky.matrixL().solve(seen[i].terms).squaredNorm();
+        const double share = seen[i].weight * (inverse * seen[i].terms).squaredNorm();
         const double error = (seen[i].off - change * seen[i].terms).norm() / std::max(leastFreedom, 1 - share);
         fit.errors[i] = static_cast<float>(error);
         squares += seen[i].middle * error * error;

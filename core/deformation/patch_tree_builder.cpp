@@ -3,6 +3,8 @@
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -21,6 +23,10 @@ constexpr double fitWidening = 1.45;     // by this: so far the nodes of the par
 constexpr std::size_t deepest = 22;      // levels
 constexpr double nearEnough = 2e-6;      // of what the nodes move against each other
 constexpr double roundedOff = 1e-13;     // of displacements, by which they are off any function
+
+/// Children by their bits: all, and those toward -x, -y, -z.
+constexpr unsigned allChildren = 0xff;
+constexpr std::array<unsigned, 3> lowChildren{0x55, 0x33, 0x0f};
 
 constexpr double untied = 1e-12;
 constexpr double tied = 1e6;
@@ -213,26 +219,42 @@ std::vector<PatchTreeBuilder::Work> PatchTreeBuilder::childrenOf(const std::vect
                                                                  const std::vector<std::uint32_t>& parents) const
 {
     std::vector<Work> children(8 * parents.size());
-    forEachBlock(children.size(), blockSizeOf(children.size()), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Work& parent = level[parents[i / 8]];
-            Work& child = children[i];
-            child.cell = m_cells[parent.cell].firstChild + static_cast<std::uint32_t>(i % 8);
-            child.parent = parent.cell;
-            const PatchTree::Cell& cell = m_cells[child.cell];
-            const auto within = [&](double half) {
-                Nodes nodes;
-                for (const std::uint32_t node : parent.nodes)
-                    if (((m_field.nodes[node] - cell.center).array().abs() < half).all())
-                        nodes.push_back(node);
-                return nodes;
-            };
-            child.nodes = within(patchOverlap / 2 * cell.side);
-            if (!child.nodes.empty() && child.nodes.size() < leastFitted)
-                child.wider = within(fitWidening * patchOverlap / 2 * cell.side);
-        }
+    forEachBlock(parents.size(), blockSizeOf(parents.size()), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            shareOut(level[parents[i]], std::span(children).subspan(8 * i).first<8>());
     });
     return children;
+}
+
+/// The nodes of a cell to its children: all in one go, since they are read from all over the memory.
+void PatchTreeBuilder::shareOut(const Work& parent, std::span<Work, 8> children) const
+{
+    const std::uint32_t first = m_cells[parent.cell].firstChild;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        children[i].cell = first + i;
+        children[i].parent = parent.cell;
+    }
+    const PatchTree::Cell& low = m_cells[first];
+    const PatchTree::Cell& high = m_cells[first + 7];
+    const auto share = [&](double half, Nodes Work::*list, unsigned wanted) {
+        for (const std::uint32_t node : parent.nodes) {
+            const Eigen::Array<bool, 3, 1> isLow = (m_field.nodes[node] - low.center).array().abs() < half;
+            const Eigen::Array<bool, 3, 1> isHigh = (m_field.nodes[node] - high.center).array().abs() < half;
+            unsigned in = wanted;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                in &= (isLow[axis] ? lowChildren[axis] : 0U) | (isHigh[axis] ? ~lowChildren[axis] : 0U);
+            for (; in != 0; in &= in - 1)
+                (children[static_cast<std::size_t>(std::countr_zero(in))].*list).push_back(node);
+        }
+    };
+    const double half = patchOverlap / 2 * low.side;
+    share(half, &Work::nodes, allChildren);
+    unsigned few = 0;
+    for (std::uint32_t i = 0; i < 8; ++i)
+        if (!children[i].nodes.empty() && children[i].nodes.size() < leastFitted)
+            few |= 1U << i;
+    if (few != 0)
+        share(fitWidening * half, &Work::wider, few);
 }
 
 /// Only what leaves are made of.

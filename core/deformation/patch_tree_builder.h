@@ -4,6 +4,7 @@
 #include "core/deformation/patch_tree.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,7 @@ private:
     bool hidesDetail(const Work& work) const;
     bool gainsBySplitting(std::uint32_t cell) const;
     std::vector<Work> childrenOf(const std::vector<Work>& level, const std::vector<std::uint32_t>& parents) const;
+    void shareOut(const Work& parent, std::span<Work, 8> children) const;
     void takeOver(PatchTree& tree) const;
     double leafSideOf(const PatchTree& tree) const;
 

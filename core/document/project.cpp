@@ -13,6 +13,18 @@ std::shared_ptr<const Model> shownModel(const Project& project)
     return modelOf(project, project.starts.at(project.entries.at(project.current).start));
 }
 
+std::vector<RecipeDeformation> deformationsUntil(const ProjectStart& before, const std::shared_ptr<const Model>& model,
+                                                 std::vector<RecipeDeformation> said)
+{
+    if (model == before.model)
+        return before.deformations;
+    if (said.empty() || (before.model && before.deformations.empty()))
+        return {};
+    said.front().isApart = said.front().isApart || !before.deformations.empty();
+    said.insert(said.begin(), before.deformations.begin(), before.deformations.end());
+    return said;
+}
+
 std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project)
 {
     ToolParts all;

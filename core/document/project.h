@@ -2,6 +2,7 @@
 
 #include "core/aggregate/spacing_choice.h"
 #include "core/document/history_record.h"
+#include "core/document/recipe_deformation.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/simulation/scene.h"
@@ -30,6 +31,8 @@ struct ProjectStart {
     Scene scene;
     std::vector<std::size_t> partOfBody;     ///< per body of the scene: index into Model::parts
     std::shared_ptr<const Model> model = {}; ///< whose parts these are, deformed since; null: those of the project
+    /// What made that model of the parts of the project, one after the other; none: a recipe cannot say it.
+    std::vector<RecipeDeformation> deformations = {};
 };
 
 /// Words that a person put at an entry of the history.
@@ -73,6 +76,11 @@ inline const std::shared_ptr<const Model>& modelOf(const Project& project, const
 
 /// The parts that are shown: those of the start of the current entry. @pre there is such a start, or there are no entries
 std::shared_ptr<const Model> shownModel(const Project& project);
+
+/// ProjectStart::deformations of a start that follows another one with a deformed model of its own.
+/// @param said what made this model of the one before; empty: a recipe cannot say it
+std::vector<RecipeDeformation> deformationsUntil(const ProjectStart& before, const std::shared_ptr<const Model>& model,
+                                                 std::vector<RecipeDeformation> said);
 
 /// Imported parts that its tools are made of, in the order in which they were first used.
 std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project);

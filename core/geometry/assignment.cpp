@@ -26,10 +26,12 @@ public:
     {
     }
 
-    std::vector<std::optional<std::uint32_t>> solve()
+    std::vector<std::optional<std::uint32_t>> solve(const TaskControl& control)
     {
-        for (std::uint32_t row = 0; row < m_options.size(); ++row)
+        for (std::uint32_t row = 0; row < m_options.size(); ++row) {
+            control.throwIfCancelled();
             augment(row);
+        }
         std::vector<std::optional<std::uint32_t>> partners;
         for (const std::uint32_t column : m_columnOf)
             partners.push_back(column < m_others ? std::optional(column) : std::nullopt);
@@ -106,9 +108,10 @@ private:
 } // namespace
 
 std::vector<std::optional<std::uint32_t>> leastCostPairs(std::span<const std::vector<PairingOption>> options,
-                                                         std::size_t others, double costOfNone)
+                                                         std::size_t others, double costOfNone,
+                                                         const TaskControl& control)
 {
-    return Pairing(options, others, costOfNone).solve();
+    return Pairing(options, others, costOfNone).solve(control);
 }
 
 } // namespace knead

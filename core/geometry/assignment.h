@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/task/task_control.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,8 +19,9 @@ struct PairingOption {
 /// `costOfNone`. By shortest augmenting paths, O(n m lg m) for n items with m options together. Equal input, equal output.
 /// @param options per item
 /// @param others how many there are
-/// @return per item, its partner
+/// @return per item, its partner @throws Cancelled
 std::vector<std::optional<std::uint32_t>> leastCostPairs(std::span<const std::vector<PairingOption>> options,
-                                                         std::size_t others, double costOfNone);
+                                                         std::size_t others, double costOfNone,
+                                                         const TaskControl& control = TaskControl::none());
 
 } // namespace knead

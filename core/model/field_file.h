@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/deformation/displacement_field.h"
+#include "core/geometry/triangle_mesh.h"
 #include "core/message/message.h"
 #include "core/task/task_control.h"
 
@@ -16,7 +17,8 @@ namespace knead {
 struct FieldChoice {
     std::optional<std::size_t> step; ///< in the order of the file; none: the last one
     std::string name;                ///< of the vectors at the nodes; empty: the displacements
-    std::string unit; ///< of lengths in the file, as LengthUnit::name; empty: that which the file says, else mm
+    std::string unit;       ///< of lengths in the file, as LengthUnit::name; empty: that which the file says, else mm
+    bool isInPlace = false; ///< a scan has the axes of the parts; else it is laid over them first
 };
 
 /// A file with a displacement at each of its nodes, as it was read.
@@ -32,7 +34,10 @@ struct FieldFile {
     std::vector<Message> warnings;  ///< sentences for the person
 };
 
-/// Reads a field. Blocks, on any thread. @throws Problem, in a sentence; Cancelled
-using ReadField = std::function<FieldFile(const std::string& path, const FieldChoice&, TaskControl&)>;
+/// Reads a field. Blocks, on any thread.
+/// @param parts the surface of what it is to deform, as that is now: what a scan is compared with
+/// @throws Problem, in a sentence; Cancelled
+using ReadField =
+    std::function<FieldFile(const std::string& path, const FieldChoice&, const TriangleMesh& parts, TaskControl&)>;
 
 } // namespace knead

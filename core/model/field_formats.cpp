@@ -39,6 +39,13 @@ bool isNodalMeshFile(const std::string& path)
     return std::ranges::any_of(fieldFormats(), [&](const FieldFormat& format) { return isOf(format, path); });
 }
 
+bool isScanFile(const std::string& path)
+{
+    return std::ranges::any_of(fileFormats, [&](const FileFormat& format) {
+        return format.isRead && !format.isSmooth && isNamedAs(format.kind, path);
+    });
+}
+
 Message fieldEndingList()
 {
     std::vector<std::string> endings;

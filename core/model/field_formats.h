@@ -23,6 +23,13 @@ bool isFieldFile(const std::string& path);
 /// Whether the ending is one of any of the formats.
 bool isNodalMeshFile(const std::string& path);
 
+/// Whether a file is called like one of triangles: a scan of a part, which is a field by how far it is from that.
+bool isScanFile(const std::string& path);
+
+// FieldFile::format of what is no file of another program.
+inline constexpr const char* scanFormat = "scan";
+inline constexpr const char* projectFormat = "Knead project";
+
 /// ".frd, .vtu ... and .rpt": the endings of formats with displacements, for sentences in any language.
 Message fieldEndingList();
 

@@ -85,6 +85,19 @@ void takeProducts(const PartNode& from, PartNode& to)
     }
 }
 
+std::set<std::size_t> stillHidden(const std::set<std::size_t>& hidden, const Model& before, const Model& now)
+{
+    std::set<std::size_t> still;
+    for (std::size_t p = 0; p < now.parts.size(); ++p) {
+        const auto isPieceOf = [&](std::size_t part) {
+            return part < before.parts.size() && now.parts[p].path.starts_with(before.parts[part].path + '/');
+        };
+        if (p < before.parts.size() ? hidden.contains(p) : std::ranges::any_of(hidden, isPieceOf))
+            still.insert(p);
+    }
+    return still;
+}
+
 std::string formerPath(const Part& part)
 {
     if (part.bodyOf.empty())

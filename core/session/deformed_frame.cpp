@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <span>
 
 namespace knead {
 
@@ -14,14 +13,6 @@ namespace {
 
 constexpr std::size_t pointsPerBlock = 1024;
 constexpr std::size_t mostLookedAt = 2000; // for folds: each takes six evaluations of the map
-
-/// On all threads.
-void evaluateInBlocks(const SmoothMap& map, std::span<const Vec3> points, std::span<Vec3> places)
-{
-    forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        map.evaluate(points.subspan(begin, end - begin), places.subspan(begin, end - begin));
-    });
-}
 
 std::shared_ptr<const BodyFrame> carried(const FilledBody& body, const BodyFrame& shown, const SmoothMap& map)
 {
@@ -60,6 +51,13 @@ std::optional<Vec3> foldAmong(const std::vector<Vec3>& places, const SmoothMap& 
 }
 
 } // namespace
+
+void evaluateInBlocks(const SmoothMap& map, std::span<const Vec3> points, std::span<Vec3> places)
+{
+    forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        map.evaluate(points.subspan(begin, end - begin), places.subspan(begin, end - begin));
+    });
+}
 
 DeformedFrame deformedFrame(const FramePointer& shown, const SmoothMap& map, const std::vector<bool>& which,
                             TaskControl& control)

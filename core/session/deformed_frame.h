@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace knead {
@@ -23,5 +24,8 @@ struct DeformedFrame {
 /// @param which per body; empty: all
 DeformedFrame deformedFrame(const FramePointer& shown, const SmoothMap& map, const std::vector<bool>& which,
                             TaskControl& control = TaskControl::none());
+
+/// SmoothMap::evaluate() on all threads.
+void evaluateInBlocks(const SmoothMap& map, std::span<const Vec3> points, std::span<Vec3> places);
 
 } // namespace knead

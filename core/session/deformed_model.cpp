@@ -108,6 +108,7 @@ public:
             part.relaxed.reset();
             if (isWhereItWas(part))
                 part.aggregate = nullptr;
+            m_result.isOfRest = m_result.isOfRest && part.aggregate == nullptr;
             if (part.aggregate == nullptr)
                 part.displacements.clear();
             if (isMeant(which, p))

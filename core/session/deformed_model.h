@@ -20,6 +20,7 @@ struct DeformedModel {
     /// Per part: which one of the model before. Parts keep their numbers; the second and later pieces of one that has come apart follow
     /// behind all others.
     std::vector<std::size_t> origin;
+    bool isOfRest = true; ///< nothing was kneaded before
 };
 
 /// What was written, read again.

@@ -1,11 +1,12 @@
 #include "core/session/face_matching.h"
 
 #include "core/geometry/assignment.h"
+#include "core/task/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace knead {
@@ -28,10 +29,16 @@ constexpr int rounds = 3;               // the first one knows no neighbors
 
 using Pairs = std::vector<std::optional<std::uint32_t>>;
 
-void addNeighbors(const TriangleMesh& mesh, std::vector<FaceLook>& looks)
+constexpr std::size_t trianglesAtOnce = 4096; // between looks at whether to go on
+constexpr std::size_t facesAtOnce = 8;
+
+void addNeighbors(const TriangleMesh& mesh, std::vector<FaceLook>& looks, const TaskControl& control)
 {
-    std::map<std::uint64_t, std::uint32_t> faceAt; // edge
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    std::unordered_map<std::uint64_t, std::uint32_t> faceAt; // edge
+    faceAt.reserve(3 * mesh.triangles.size() / 2);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (t % trianglesAtOnce == 0)
+            control.throwIfCancelled();
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t face = mesh.faceOfTriangle[t];
             const std::uint64_t edge = pairKey(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
@@ -41,6 +48,7 @@ void addNeighbors(const TriangleMesh& mesh, std::vector<FaceLook>& looks)
             looks[face].neighbors.push_back(at->second);
             looks[at->second].neighbors.push_back(face);
         }
+    }
     for (FaceLook& look : looks) {
         std::ranges::sort(look.neighbors);
         look.neighbors.erase(std::ranges::unique(look.neighbors).begin(), look.neighbors.end());
@@ -122,16 +130,18 @@ double sharedNeighbors(const FaceLook& before, const FaceLook& after, const Pair
 using Options = std::vector<std::vector<PairingOption>>;
 
 Options optionsOf(std::span<const FaceLook> before, const Box& boxBefore, std::span<const FaceLook> after,
-                  const Box& boxAfter)
+                  const Box& boxAfter, const TaskControl& control)
 {
     Options options(before.size());
-    for (std::size_t b = 0; b < before.size(); ++b) {
-        for (std::uint32_t a = 0; a < after.size(); ++a)
-            if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
-                options[b].push_back({a, cost});
-        std::ranges::stable_sort(options[b], {}, &PairingOption::cost);
-        options[b].resize(std::min(options[b].size(), mostOptions));
-    }
+    forEachBlock(before.size(), facesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            for (std::uint32_t a = 0; a < after.size(); ++a)
+                if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
+                    options[b].push_back({a, cost});
+            std::ranges::stable_sort(options[b], {}, &PairingOption::cost);
+            options[b].resize(std::min(options[b].size(), mostOptions));
+        }
+    });
     return options;
 }
 
@@ -147,7 +157,7 @@ Options withNeighbors(Options options, std::span<const FaceLook> before, std::sp
 
 } // namespace
 
-std::vector<FaceLook> faceLooks(const Part& part)
+std::vector<FaceLook> faceLooks(const Part& part, const TaskControl& control)
 {
     const TriangleMesh& mesh = part.mesh;
     std::vector<FaceLook> looks(std::max<std::size_t>(part.faces.size(), 1));
@@ -181,23 +191,24 @@ std::vector<FaceLook> faceLooks(const Part& part)
     for (std::size_t f = 0; f < part.faces.size(); ++f)
         looks[f].color = part.faces[f].color;
     if (hasFaces)
-        addNeighbors(mesh, looks);
+        addNeighbors(mesh, looks, control);
     return looks;
 }
 
 std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& boxBefore,
-                                  std::span<const FaceLook> after, const Box& boxAfter, const AffineMap& to)
+                                  std::span<const FaceLook> after, const Box& boxAfter, const AffineMap& to,
+                                  const TaskControl& control)
 {
     std::vector<FaceLook> there;
     for (const FaceLook& look : before)
         there.push_back(carried(look, to));
-    const Options plain = optionsOf(there, carried(boxBefore, to), after, boxAfter);
+    const Options plain = optionsOf(there, carried(boxBefore, to), after, boxAfter, control);
     Options options = plain;
     Pairs pairs;
     for (int round = 0; round < rounds; ++round) {
         if (round > 0)
             options = withNeighbors(plain, there, after, pairs);
-        pairs = leastCostPairs(options, after.size(), costOfNone + (round > 0 ? neighborWeight / 2 : 0));
+        pairs = leastCostPairs(options, after.size(), costOfNone + (round > 0 ? neighborWeight / 2 : 0), control);
     }
     std::vector<FaceMatch> matches;
     for (std::uint32_t b = 0; b < pairs.size(); ++b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/part.h"
+#include "core/task/task_control.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,8 +31,8 @@ struct FaceLook {
     std::vector<std::uint32_t> neighbors; ///< faces that share an edge with it, ascending
 };
 
-/// One per CAD face of a part, in their order; a mesh without faces is one face.
-std::vector<FaceLook> faceLooks(const Part& part);
+/// One per CAD face of a part, in their order; a mesh without faces is one face. @throws Cancelled
+std::vector<FaceLook> faceLooks(const Part& part, const TaskControl& control = TaskControl::none());
 
 /// How a face was found again.
 enum class FoundBy : std::uint8_t { color, place };
@@ -46,10 +47,11 @@ struct FaceMatch {
 
 /// Which face of another part is which of this one. Each is compared by the kind of its surface, its size, its normal, its place in
 /// the box of the part, counted from whichever end fits better, and, once neighbors are known, by these. Pairs are those of the least
-/// sum of differences. A second for 2000 faces. Any thread.
+/// sum of differences. A second for 2000 faces on one thread; on all threads.
 /// @param to what takes the part to the other one
-/// @return by FaceMatch::before, ascending; faces that were not found are missing
+/// @return by FaceMatch::before, ascending; faces that were not found are missing @throws Cancelled
 std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& boxBefore,
-                                  std::span<const FaceLook> after, const Box& boxAfter, const AffineMap& to);
+                                  std::span<const FaceLook> after, const Box& boxAfter, const AffineMap& to,
+                                  const TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -176,10 +176,10 @@ bool MovedRegions::moveBox(RecipeRegion& region, const std::vector<const BodyMap
     std::vector<Vec3> places;
     for (const BodyMap* body : bodies) {
         const Aggregate& aggregate = *m_ground.before.scene.bodies[body->before].aggregate;
-        for (const Vec3& place : positionsOf(aggregate, objectsInBox(aggregate, *region.box))) {
-            held.push_back(place);
-            places.push_back(body->places->at(place));
-        }
+        const std::vector<Vec3> own = positionsOf(aggregate, objectsInBox(aggregate, *region.box));
+        const std::vector<Vec3> there = body->places->at(own, m_ground.control);
+        held.insert(held.end(), own.begin(), own.end());
+        places.insert(places.end(), there.begin(), there.end());
     }
     const Vec3 before = region.box->center();
     if (held.empty()) { // nothing but surface
@@ -199,9 +199,7 @@ bool MovedRegions::moveObjects(RecipeRegion& region, const BodyMap& body, const 
                                                   "another part does not have."));
     const Aggregate& after = *m_ground.after.scene.bodies[body.after].aggregate;
     const std::vector<Vec3> held = positionsOf(*m_ground.before.scene.bodies[body.before].aggregate, objects.numbers);
-    std::vector<Vec3> wanted;
-    for (const Vec3& place : held)
-        wanted.push_back(body.places->at(place));
+    const std::vector<Vec3> wanted = body.places->at(held, m_ground.control);
     const std::vector<Vec3> nodes = after.lattice.positions();
     const std::vector<ObjectIndex> nearest =
         nearestPoints(VectorArray(nodes), VectorArray(wanted), after.lattice.spacing);

@@ -39,7 +39,7 @@ struct NodesToAsk {
     NodesAt at = NodesAt::rest;
     NodeCells cells = {}; ///< of them; they say which of two touching bodies a node is of
     std::span<const Vec3> others =
-        {}; ///< places that are asked for, too, as the middles of cells [m]; they follow the nodes
+        {}; ///< places that are asked for, too, as integration points of cells [m]; they follow the nodes
 };
 
 /// What the material does at nodes. Vectors have one entry per node, or none where the quantity is not known; at nodes outside of all

@@ -12,7 +12,8 @@ namespace {
 // Shares of the progress.
 constexpr double beforeFilled = 0.4;
 constexpr double afterRead = 0.6;
-constexpr double afterFilled = 0.9;
+constexpr double afterFilled = 0.8;
+constexpr double afterMatched = 0.95;
 
 Box boxOfParts(std::span<const Part> parts)
 {
@@ -118,8 +119,8 @@ void reportFaces(const RecipeScene& before, const RecipeScene& after, std::span<
             if (body == bodies.end())
                 continue;
             face.bodyAfter = after.parts()[body->after].name;
-            const auto match = std::ranges::find(body->matches, f, &FaceMatch::before);
-            if (match == body->matches.end())
+            const auto match = std::ranges::lower_bound(body->matches, f, {}, &FaceMatch::before);
+            if (match == body->matches.end() || match->before != f)
                 continue;
             face.after = match->after;
             face.by = match->by;
@@ -193,27 +194,26 @@ PartTransfer transferToPart(const Recipe& recipe, const std::string& file, const
     TaskPortion fillingAfter(control, afterRead, afterFilled);
     const RecipeScene after = buildScene(bare, filesWith(files, file, model), fillingAfter);
     transfer.partsBefore = before.model;
-    transfer.bodies = mapBodies(transfer.partsBefore->parts, after.parts(), transfer.base);
-    control.throwIfCancelled();
+    TaskPortion matching(control, afterFilled, afterMatched);
+    transfer.bodies = mapBodies(transfer.partsBefore->parts, after.parts(), transfer.base, matching);
     reportFaces(before, after, transfer.bodies, transfer.report);
     if (transfer.report.found() == 0 && !transfer.report.faces.empty())
         throw UnusableInput(aboutFile(file, Message("Transfer", "none of the faces was found again on it. Is it "
                                                                 "another part, or a mirrored one?")));
     const Recipe known = byFirstFillings(recipe, before, options, control);
-    const TransferGround ground{before, after, transfer.bodies, transfer.base};
+    TaskPortion moving(control, afterMatched, 1);
+    const TransferGround ground{before, after, transfer.bodies, transfer.base, moving};
     transfer.recipe =
         withPartOf(transferredRecipe(known, ground, transfer.report), bare, bare.spacing.value, transfer.report.scale);
     goByTime(transfer.recipe, options);
     return transfer;
 }
 
-DisplacementField fieldOnPart(const DisplacementField& field, const PartTransfer& transfer)
+DisplacementField fieldOnPart(const DisplacementField& field, const PartTransfer& transfer, TaskControl& control)
 {
-    DisplacementField moved;
-    for (std::size_t i = 0; i < field.nodes.size(); ++i) {
-        moved.nodes.push_back(placeOnPart(transfer.bodies, field.nodes[i]));
-        moved.displacements.push_back(transfer.base.linear * field.displacements[i]);
-    }
+    DisplacementField moved{.nodes = placesOnPart(transfer.bodies, field.nodes, control), .displacements = {}};
+    for (const Vec3& displacement : field.displacements)
+        moved.displacements.push_back(transfer.base.linear * displacement);
     return moved;
 }
 

@@ -49,6 +49,8 @@ PartTransfer transferToPart(const Recipe& recipe, const std::string& file, const
                             const TransferOptions& options, TaskControl& control);
 
 /// A field of the part of a recipe, on the other one: nodes where their places are, displacements mirrored and scaled.
-DisplacementField fieldOnPart(const DisplacementField& field, const PartTransfer& transfer);
+/// On all threads. @throws Cancelled
+DisplacementField fieldOnPart(const DisplacementField& field, const PartTransfer& transfer,
+                              TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -18,14 +18,19 @@ namespace knead {
 class PlaceMap {
 public:
     /// @pre looks are those of the parts, matches are of them
+    /// On all threads. @throws Cancelled
     PlaceMap(const Part& before, std::span<const FaceLook> looksBefore, std::span<const FaceLook> looksAfter,
-             std::span<const FaceMatch> matches, const AffineMap& base);
+             std::span<const FaceMatch> matches, const AffineMap& base,
+             const TaskControl& control = TaskControl::none());
     PlaceMap(PlaceMap&&) noexcept = default;
     PlaceMap& operator=(PlaceMap&&) noexcept = default;
     ~PlaceMap();
 
     Vec3 at(const Vec3& place) const { return m_base.at(place) + beyond(place); }
     Vec3 beyond(const Vec3& place) const; ///< u [m]
+
+    /// The same of many, on all threads. @throws Cancelled
+    std::vector<Vec3> at(std::span<const Vec3> places, const TaskControl& control = TaskControl::none()) const;
 
 private:
     struct Face;

@@ -2,12 +2,12 @@
 
 #include "core/aggregate/material.h"
 #include "core/aggregate/spacing_choice.h"
+#include "core/document/recipe_deformation.h"
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
 #include "core/model/export_options.h"
 #include "core/model/import_options.h"
 #include "core/session/part_filling.h"
-#include "core/session/recipe_deformation.h"
 #include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 

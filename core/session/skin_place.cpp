@@ -17,6 +17,26 @@ Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
     return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
 }
 
+/// The place that was nearest to another one so far.
+struct Nearest {
+    std::optional<SkinPlace> place;
+    double distance = std::numeric_limits<double>::max(); ///< squared [m^2]
+};
+
+/// @param face of it only; none: all of the body
+void lookForNearest(BodyId id, const FilledBody& body, const std::optional<std::uint32_t>& face, const Vec3& at,
+                    Nearest& nearest)
+{
+    for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        if (face && body.mesh.faceOfTriangle[t] != *face)
+            continue;
+        const auto corners = cornersOf(body.mesh.vertices, body.mesh.triangles[t]);
+        const Vec3 shares = nearestShares(corners, at);
+        if (const double distance = (blend(corners, shares) - at).squaredNorm(); distance < nearest.distance)
+            nearest = {SkinPlace{id, t, shares}, distance};
+    }
+}
+
 } // namespace
 
 Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places)
@@ -78,29 +98,39 @@ std::size_t trueVertices(const FilledModel& content, const FilledBody& body)
     return body.whole ? body.mesh.vertices.size() : content.model->parts[body.part].mesh.vertices.size();
 }
 
+RestPlace restPlace(const SkinPlace& place, const FilledBodies& bodies)
+{
+    const FilledBody& body = *bodies[place.body];
+    return {body.part, faceOf(place, body), placeOf(place, body, body.mesh.vertices)};
+}
+
+std::optional<SkinPlace> placeNear(const RestPlace& place, const FilledBodies& bodies)
+{
+    Nearest nearest;
+    const auto found = std::ranges::find_if(bodies, [&](const auto& body) { return body->part == place.part; });
+    if (found != bodies.end())
+        lookForNearest(static_cast<BodyId>(found - bodies.begin()), **found, place.face, place.at, nearest);
+    return nearest.place;
+}
+
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after)
 {
+    return placeNear(restPlace(place, before), after);
+}
+
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const CarriedSurfaces& carried,
+                                     const FilledBodies& after)
+{
     const FilledBody& old = *before[place.body];
-    const auto found = std::ranges::find_if(after, [&](const auto& body) { return body->part == old.part; });
-    if (found == after.end())
-        return std::nullopt;
-    const FilledBody& body = **found;
-    const Vec3 rest = placeOf(place, old, old.mesh.vertices);
-    const auto face = faceOf(place, old);
-    SkinPlace best{.body = static_cast<BodyId>(found - after.begin())};
-    double nearest = std::numeric_limits<double>::max();
-    for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
-        if (face && body.mesh.faceOfTriangle[t] != *face)
-            continue;
-        const auto corners = cornersOf(body.mesh.vertices, body.mesh.triangles[t]);
-        const Vec3 shares = nearestShares(corners, rest);
-        if (const double distance = (blend(corners, shares) - rest).squaredNorm(); distance < nearest) {
-            nearest = distance;
-            best.triangle = t;
-            best.shares = shares;
-        }
-    }
-    return nearest < std::numeric_limits<double>::max() ? std::optional(best) : std::nullopt;
+    Nearest nearest;
+    const std::vector<Vec3>& places = carried.places.at(place.body);
+    if (places.size() != old.mesh.vertices.size())
+        return std::nullopt; // it came apart in the meantime
+    const Vec3 at = placeOf(place, old, places);
+    for (BodyId body = 0; body < after.size(); ++body)
+        if (carried.origin[after[body]->part] == old.part)
+            lookForNearest(body, *after[body], std::nullopt, at, nearest);
+    return nearest.place;
 }
 
 std::vector<ObjectShare> objectShares(const SkinPlace& place, const FilledBody& body)

@@ -2,6 +2,7 @@
 
 #include "core/session/frame.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -40,8 +41,29 @@ std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const FilledB
 /// where the body came apart, since they are mixed there.
 std::size_t trueVertices(const FilledModel& content, const FilledBody& body);
 
+/// A place of a part at rest, whatever its body is filled with.
+struct RestPlace {
+    std::size_t part = 0;              ///< index into Model::parts
+    std::optional<std::uint32_t> face; ///< CAD face that it lies on; none on plain meshes
+    Vec3 at = Vec3::Zero();            ///< [m]
+};
+RestPlace restPlace(const SkinPlace& place, const FilledBodies& bodies);
+
+/// The place of bodies that is nearest to one of a part, on its face; none when its part is not among them.
+std::optional<SkinPlace> placeNear(const RestPlace& place, const FilledBodies& bodies);
+
 /// The same place on bodies that were filled anew; none when its part is no longer among them.
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after);
+
+/// Where the surfaces of bodies were taken when their parts were deformed.
+struct CarriedSurfaces {
+    std::vector<std::vector<Vec3>> places; ///< per body: of the vertices of its mesh as it was shown [m]
+    std::vector<std::size_t> origin;       ///< per part after it: index of the part that it was before
+};
+
+/// The place of deformed bodies that a place has become: the nearest one of what its part has become; none when that has no bodies.
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const CarriedSurfaces& carried,
+                                     const FilledBodies& after);
 
 /// How much an object moves the place; they add up to 1.
 struct ObjectShare {

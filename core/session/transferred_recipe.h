@@ -41,10 +41,12 @@ struct TransferGround {
     const RecipeScene& after;
     std::span<const BodyMap> bodies; ///< at least one
     AffineMap base;                  ///< its linear part is a turn or a mirror image, times a scale
+    TaskControl& control = TaskControl::none();
 };
 
 /// The recipe with all its places moved: everything but its part, spacing, steps and exports.
 /// @param report gets what was moved and left out
+/// @throws Cancelled
 Recipe transferredRecipe(const Recipe& recipe, const TransferGround& ground, TransferReport& report);
 
 } // namespace knead

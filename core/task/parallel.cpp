@@ -67,4 +67,13 @@ void forEachBlock(std::size_t count, std::size_t blockSize,
     runAll(blocks, runBlock);
 }
 
+void forEachBlock(std::size_t count, std::size_t blockSize, const TaskControl& control,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body)
+{
+    forEachBlock(count, blockSize, [&](std::size_t begin, std::size_t end) {
+        control.throwIfCancelled();
+        body(begin, end);
+    });
+}
+
 } // namespace knead

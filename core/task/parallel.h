@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/task/task_control.h"
+
 #include <cstddef>
 #include <functional>
 
@@ -9,6 +11,10 @@ namespace knead {
 /// of threads, so a result that is a function of its block has the same bits on any machine. Runs on TBB's threads;
 /// a count of up to two blocks stays on the calling thread, where handing work over would cost more than it saves.
 void forEachBlock(std::size_t count, std::size_t blockSize,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// The same; blocks that have not begun when a person asks to stop do not. @throws Cancelled
+void forEachBlock(std::size_t count, std::size_t blockSize, const TaskControl& control,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 } // namespace knead

@@ -14,7 +14,7 @@ public:
     /// `fraction` in 0..1 over the whole task, `stage` a short phrase such as "reading the file",
     /// which the window says in its language where it is one of words_of_core.cpp.
     virtual void report(double fraction, std::string_view stage) = 0;
-    virtual bool isCancelled() const = 0;
+    virtual bool isCancelled() const = 0; ///< any thread
 
     /// @throws Cancelled when the person asked to stop.
     void throwIfCancelled() const;

@@ -5,8 +5,8 @@
 #include "io/brep/occt_session.h"
 #include "io/export/exact_part.h"
 #include "io/export/export_check.h"
+#include "io/files/nameless_file.h"
 #include "io/formats/cad_reader.h"
-#include "io/worker/child_process.h"
 
 #include <algorithm>
 #include <chrono>
@@ -69,9 +69,9 @@ Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, 
         smallest = std::min(smallest, part.part.box.diagonal().norm());
     ImportOptions options{.linearDeflection = fineness * checkDeflection * smallest, .heal = false};
     options.angularDeflection *= fineness;
-    NamelessFile file;
+    NamelessFile file(NamelessFile::Place::memory);
     file.write(bytes);
-    return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind, options, control);
+    return readCad(file.path(), kind, options, control);
 }
 
 /// Parts whose faces meet, but whose triangles leave holes.

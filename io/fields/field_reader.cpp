@@ -7,9 +7,11 @@
 #include "io/fields/node_merging.h"
 #include "io/fields/pvd_files.h"
 #include "io/fields/text_scanner.h"
+#include "io/files/neighbor_file.h"
 #include "io/formats/cad_format.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 namespace knead {
@@ -102,21 +104,31 @@ FieldContent contentOfCollection(std::string_view bytes, const std::string& path
     ofFile.choice.step.reset();
     for (std::size_t i = 0; i < files.size(); ++i) {
         TaskPortion portion = TaskPortion::ofItem(control, i, files.size());
+        if (std::error_code ignored;
+            std::filesystem::exists(files[i].path, ignored) && !isNeighborFile(files[i].path, path))
+            throw Problem(Message("Field", "the collection names %1, which is no ordinary file in its folder; put the "
+                                           "file beside the collection and open that again.")
+                              .with(readableName(files[i].path)));
         const std::string piece = bytesOfFile(files[i].path, control);
         append(content, contentOfBytes(piece, ofFile, portion));
     }
     return content;
 }
 
+/// Of ParaView, which names other files.
+bool beginsAsCollection(std::string_view bytes)
+{
+    const std::string_view head = bytes.substr(0, headLength);
+    return head.find("<VTKFile") != head.npos && head.find("\"Collection\"") != head.npos;
+}
+
 /// @throws Problem that names the file
 FieldContent contentOf(const std::string& path, const FieldRequest& request, TaskControl& control)
 {
     const std::string bytes = bytesOfFile(path, control);
-    const std::string_view head = std::string_view(bytes).substr(0, headLength);
     try {
-        const bool isCollection = head.find("<VTKFile") != head.npos && head.find("\"Collection\"") != head.npos;
-        return isCollection ? contentOfCollection(bytes, path, request, control)
-                            : contentOfBytes(bytes, request, control);
+        return beginsAsCollection(bytes) ? contentOfCollection(bytes, path, request, control)
+                                         : contentOfBytes(bytes, request, control);
     } catch (const Problem& problem) {
         failReading(path, problem.message());
     }
@@ -152,6 +164,14 @@ void addRemarks(const FieldContent& content, const FieldChoice& choice, FieldFil
 }
 
 } // namespace
+
+bool isFieldCollection(const std::string& path)
+{
+    std::string head(std::min<std::size_t>(sizeOfFile(path), headLength), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    return beginsAsCollection(head);
+}
 
 FieldFile readField(const std::string& path, const FieldChoice& choice, TaskControl& control)
 {

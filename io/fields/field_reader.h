@@ -8,6 +8,9 @@
 
 namespace knead {
 
+/// Whether a file is a collection of ParaView, which names others. @throws Problem, when it is missing, empty or no ordinary file
+bool isFieldCollection(const std::string& path);
+
 /// Reads the displacements at the nodes of another program's result, of any format in fieldFormats. The content decides what a
 /// file is where its ending lies. Nodes without a displacement, or with one that is no number, are left out; nodes in one place
 /// become one with the mean of their displacements; both are said among the warnings.

@@ -46,19 +46,20 @@ private:
         }
     }
 
-    /// Both want xx, yy, zz, xy, xz, yz; CalculiX for each of the points at which it integrates.
+    /// Both want xx, yy, zz, xy, xz, yz.
     void addStresses()
     {
         if (m_include.elements.empty())
             return;
-        m_stream.add("** Stress that is there at the start, at the centers of the elements.\n"
+        m_stream.add("** Stress that is there at the start.\n"
                      "*INITIAL CONDITIONS, TYPE=STRESS\n");
         const double scale = m_metres * m_metres;
         for (const SolverInclude::Element& element : m_include.elements) {
-            const bool isPerPoint = m_include.solver == Solver::calculix;
-            for (int point = 1; point <= (isPerPoint ? element.points : 1); ++point) {
-                m_stream.add(std::to_string(element.label) + (isPerPoint ? ", " + std::to_string(point) : ""));
-                const Mat3& s = element.stress;
+            for (std::size_t point = 0; point < element.stresses.size(); ++point) {
+                m_stream.add(std::to_string(element.label));
+                if (m_include.solver == Solver::calculix)
+                    m_stream.add(", " + std::to_string(point + 1));
+                const Mat3& s = element.stresses[point];
                 for (const double component : {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)})
                     addNumber(scale * component);
                 m_stream.add("\n");

@@ -20,9 +20,8 @@ struct SolverInclude {
     };
     struct Element {
         std::int64_t label = 0;
-        std::uint8_t points = 1;    ///< at which CalculiX integrates it; each gets the same
-        Mat3 stress = Mat3::Zero(); ///< [Pa]
-        double plasticStrain = 0;   ///< equivalent
+        std::vector<Mat3> stresses; ///< for CalculiX at each of its integration points, for Abaqus at its center [Pa]
+        double plasticStrain = 0;   ///< equivalent, at its center
     };
 
     Solver solver = Solver::calculix;

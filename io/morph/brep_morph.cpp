@@ -31,7 +31,7 @@ std::vector<std::uint32_t> invalidFacesOf(const MorphedShape& shape)
     return faulty;
 }
 
-double sizeOf(const TopTools_IndexedMapOfShape& vertices)
+double extentOf(const TopTools_IndexedMapOfShape& vertices)
 {
     Box box;
     for (int i = 1; i <= vertices.Extent(); ++i)
@@ -70,7 +70,7 @@ MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const M
     control.report(0.9, "checking");
     TopTools_IndexedMapOfShape vertices;
     TopExp::MapShapes(result.shape, TopAbs_VERTEX, vertices);
-    result.isValid = widenVertices(result.shape, widestVertex * sizeOf(vertices), result.widenedVertices);
+    result.isValid = widenVertices(result.shape, widestVertex * extentOf(vertices), result.widenedVertices);
     if (!result.isValid)
         result.faulty = invalidFacesOf(result);
     control.report(1, "checking");

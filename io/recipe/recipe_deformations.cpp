@@ -17,6 +17,7 @@ constexpr double mostFieldFactor = 1e6;  // of a field
 constexpr double mostTurned = 62.9;      // [rad]
 constexpr int mostFileSteps = 1'000'000; // of a file
 
+const char* const apartKey = "separately";
 const char* const axisNames[] = {"x", "y", "z"};
 
 Vec3 readDirection(const JsonNode& node)
@@ -46,8 +47,8 @@ struct Direction {
 const std::vector<std::string>& keysOfNumbers()
 {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> all{"kind",  "body",  "origin_mm", "axis",      "side",     "from_mm",
-                                     "to_mm", "stays", "eases",     "angle_rad", "radius_mm"};
+        std::vector<std::string> all{"kind",  "body",  "origin_mm", "axis",      "side",     "from_mm", "to_mm",
+                                     "stays", "eases", "angle_rad", "radius_mm", "k_factor", apartKey};
         for (const NumberKindWords& words : numberKindWords())
             for (const NumberParameter& parameter : words.parameters)
                 if (std::ranges::find(all, parameter.key) == all.end())
@@ -74,8 +75,10 @@ void refuseKeysOfOthers(const JsonNode& node, const NumberKindWords& words)
                 refuse(parameter.key);
     if (!has(&NumberDeformation::angle))
         refuse("angle_rad");
-    if (words.kind != NumberKind::bend)
+    if (words.kind != NumberKind::bend) {
         refuse("radius_mm");
+        refuse("k_factor");
+    }
     if (!words.hasSide)
         refuse("side");
 }
@@ -115,6 +118,16 @@ void readAmounts(const JsonNode& node, const NumberKindWords& words, NumberDefor
     }
 }
 
+std::optional<double> readKFactor(const JsonNode& node)
+{
+    const auto kFactor = node.find("k_factor");
+    if (!kFactor)
+        return std::nullopt;
+    if (node.find("neutral_mm"))
+        node.fail(Message("Recipe", "must have one of the keys neutral_mm and k_factor, or none."));
+    return kFactor->number(0, 1);
+}
+
 NumberDeformation readNumbers(const JsonNode& node)
 {
     node.allowOnly(keysOfNumbers());
@@ -152,7 +165,7 @@ NumberDeformation readNumbers(const JsonNode& node)
     return deformation;
 }
 
-void putNumbers(ObjectText& text, const NumberDeformation& deformation)
+void putNumbers(ObjectText& text, const NumberDeformation& deformation, const std::optional<double>& kFactor)
 {
     const NumberKindWords& words = wordsOf(deformation.kind);
     text.text("kind", words.word);
@@ -164,7 +177,9 @@ void putNumbers(ObjectText& text, const NumberDeformation& deformation)
     text.put("from_mm", Millimeters::text(deformation.from)).put("to_mm", Millimeters::text(deformation.to));
     for (const NumberParameter& parameter : words.parameters) {
         const double value = deformation.*parameter.value;
-        if (parameter.unit == NumberParameter::Unit::millimeters)
+        if (kFactor && parameter.value == &NumberDeformation::neutral)
+            text.number("k_factor", *kFactor);
+        else if (parameter.unit == NumberParameter::Unit::millimeters)
             text.put(parameter.key, Millimeters::text(value));
         else if (parameter.unit == NumberParameter::Unit::none)
             text.number(parameter.key, value);
@@ -214,6 +229,55 @@ struct FaceNumbers {
     }
 };
 
+struct KeptItem : KeptFaces {};
+
+template <class Fields>
+void describeKeys(Fields& fields, KeptItem& kept)
+{
+    fields.needed("body", kept.body, Text{});
+    fields.needed("faces", kept.faces, FaceNumbers{});
+}
+
+/// [3, 7] of the only part, or [{"body": "Lid", "faces": [3, 7]}].
+struct FacesThatStay {
+    const Context& context;
+    std::vector<KeptFaces> read(const JsonNode& node) const
+    {
+        const std::vector<JsonNode> items = node.items();
+        if (items.empty() || !items.front().isObject())
+            return {{{}, FaceNumbers::read(node)}};
+        std::vector<KeptFaces> kept;
+        for (const JsonNode& item : items)
+            kept.push_back(Object<KeptItem>{context}.read(item));
+        return kept;
+    }
+    std::string text(const std::vector<KeptFaces>& kept) const
+    {
+        if (kept.size() == 1 && kept.front().body.empty())
+            return FaceNumbers::text(kept.front().faces);
+        return listText(kept, [this](const KeptFaces& faces) { return Object<KeptItem>{context}.text({faces}); });
+    }
+};
+
+/// "Lid", or ["Lid", "Box"].
+struct BodyNames {
+    static std::vector<std::string> read(const JsonNode& node)
+    {
+        if (node.isString())
+            return {node.text()};
+        std::vector<std::string> names;
+        for (const JsonNode& name : node.items())
+            names.push_back(name.text());
+        if (names.empty())
+            node.fail(Message("Recipe", "must name at least one body."));
+        return names;
+    }
+    static std::string text(const std::vector<std::string>& names)
+    {
+        return names.size() == 1 ? quoted(names.front()) : listText(names, quoted);
+    }
+};
+
 struct StepNumber {
     static std::optional<std::size_t> read(const JsonNode& node)
     {
@@ -222,25 +286,28 @@ struct StepNumber {
     static std::string text(std::size_t step) { return std::to_string(step); }
 };
 
-/// A field with the part that it is for.
+/// A field with what else is said of it.
 struct FieldItem : RecipeField {
-    std::string body;
+    std::vector<std::string> bodies;
+    bool isApart = false;
 };
 
 template <class Fields>
 void describeKeys(Fields& fields, FieldItem& item)
 {
     fields.needed("field", item.file, FilePath{fields.context});
-    fields.optional("body", item.body, Text{}, !item.body.empty());
+    fields.optional("body", item.bodies, BodyNames{}, !item.bodies.empty());
     fields.optional("step", item.choice.step, StepNumber{});
     fields.optional("name", item.choice.name, Text{}, !item.choice.name.empty());
     fields.optional("unit", item.choice.unit, LengthUnitName{}, !item.choice.unit.empty());
+    fields.optional("in_place", item.choice.isInPlace, Flag{}, item.choice.isInPlace);
     fields.optional("factor", item.factor, Number{-mostFieldFactor, mostFieldFactor});
-    fields.optional("kept_faces", item.keptFaces, FaceNumbers{}, !item.keptFaces.empty());
+    fields.optional("kept_faces", item.kept, FacesThatStay{fields.context}, !item.kept.empty());
     fields.optional("fade_mm", item.fade, PositiveMillimeters{}, item.fade > 0);
     fields.optional("locked", item.locked, LockedAxes{}, item.locked != std::array<bool, 3>{});
+    fields.optional(apartKey, item.isApart, Flag{}, item.isApart);
     fields.check([&](const JsonNode& node) {
-        if (item.keptFaces.empty() != (item.fade == 0))
+        if (item.kept.empty() != (item.fade == 0))
             node.fail(Message("Recipe", "must have both of the keys kept_faces and fade_mm, or none."));
     });
 }
@@ -251,24 +318,28 @@ RecipeDeformation DeformationWords::read(const JsonNode& node) const
 {
     if (node.find("field")) {
         const auto item = Object<FieldItem>{context}.read(node);
-        return {item.body, static_cast<const RecipeField&>(item)};
+        return {.bodies = item.bodies, .what = static_cast<const RecipeField&>(item), .isApart = item.isApart};
     }
-    RecipeDeformation deformation{{}, readNumbers(node)};
-    if (const auto body = node.find("body"))
-        deformation.body = body->text();
+    RecipeDeformation deformation{.bodies = {}, .what = readNumbers(node), .kFactor = readKFactor(node)};
+    if (const auto bodies = node.find("body"))
+        deformation.bodies = BodyNames::read(*bodies);
+    if (const auto isApart = node.find(apartKey))
+        deformation.isApart = isApart->boolean();
     return deformation;
 }
 
 std::string DeformationWords::text(const RecipeDeformation& deformation) const
 {
     if (const auto* field = std::get_if<RecipeField>(&deformation.what)) {
-        FieldItem item{*field, deformation.body};
+        FieldItem item{*field, deformation.bodies, deformation.isApart};
         return Object<FieldItem>{context}.text(item);
     }
     ObjectText text;
-    putNumbers(text, std::get<NumberDeformation>(deformation.what));
-    if (!deformation.body.empty())
-        text.text("body", deformation.body);
+    putNumbers(text, std::get<NumberDeformation>(deformation.what), deformation.kFactor);
+    if (!deformation.bodies.empty())
+        text.put("body", BodyNames::text(deformation.bodies));
+    if (deformation.isApart)
+        text.put(apartKey, "true");
     return text.take();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/recipe_deformation.h"
+#include "core/document/recipe_deformation.h"
 #include "io/recipe/recipe_kinds.h"
 
 #include <string>

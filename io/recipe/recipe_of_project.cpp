@@ -3,6 +3,7 @@
 #include "core/document/history.h"
 #include "core/message/message.h"
 #include "io/json/exact_number.h"
+#include "io/recipe/recipe_deformations.h"
 #include "io/recipe/recipe_events_text.h"
 #include "io/recipe/recipe_objects.h"
 #include "io/recipe/recipe_reader.h"
@@ -74,18 +75,30 @@ private:
                 throw Problem(Message("Recipe", "its bodies differ in their spacing or structural friction."));
     }
 
-    /// By numbers or a field: then no file has the parts but the project.
+    static bool isThere(const std::string& path)
+    {
+        std::error_code error;
+        return fs::is_regular_file(path, error);
+    }
+
+    /// By numbers or a field.
     bool isDeformed() const { return m_start.model != nullptr; }
+
+    /// Whether the parts are those of the files, or a recipe can say how they came of these.
+    bool followFromFiles() const
+    {
+        const auto canBeSaid = [](const RecipeDeformation& deformation) {
+            const auto* field = std::get_if<RecipeField>(&deformation.what);
+            return field == nullptr || isThere(field->file);
+        };
+        return !isDeformed() || (m_choices.saysDeformations && !m_start.deformations.empty() &&
+                                 std::ranges::all_of(m_start.deformations, canBeSaid));
+    }
 
     bool namesProject() const
     {
-        const auto isThere = [](const std::string& path) {
-            std::error_code error;
-            return fs::is_regular_file(path, error);
-        };
         const std::vector<std::string>& paths = m_project.import.paths;
-        return isDeformed() || m_choices.namesProject || paths.empty() ||
-               !std::all_of(paths.begin(), paths.end(), isThere);
+        return m_choices.namesProject || !followFromFiles() || paths.empty() || !std::ranges::all_of(paths, isThere);
     }
 
     void putPart()
@@ -93,28 +106,48 @@ private:
         recipe_keys::PartFiles part;
         part.fillsOpenParts = m_project.import.fillsOpenParts;
         if (namesProject()) {
-            if (m_choices.projectPath.empty())
-                throw Problem(
-                    isDeformed()
-                        ? Message("Recipe", "its parts were deformed by numbers or by a field, and only a project "
-                                            "keeps them so; save the project first.")
-                        : Message("Recipe", "the files of its parts are not there any more; save the project first."));
-            part.files = {fileSeenFrom(m_choices.recipePath, m_choices.projectPath)};
-            if (isDeformed())
-                m_remarks.push_back(Message("Recipe", "The parts were deformed by numbers or by a field: the recipe "
-                                                      "takes them from the project, as they were then."));
-            else if (!m_choices.namesProject)
-                m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
-                                                      "the recipe takes the parts from the project."));
+            part.files = {projectWithParts()};
         } else {
             for (const std::string& path : m_project.import.paths)
                 part.files.push_back(fileSeenFrom(m_choices.recipePath, path));
             part.import = m_project.import.options;
         }
         m_document.put("part", textOf(part));
+        if (!namesProject())
+            putUnlessEmpty("deform", deformations());
         m_document.put("spacing_mm", exactThousandfold(m_scene.bodies.front().aggregate->lattice.spacing));
         if (isAsPublished(*m_scene.bodies.front().aggregate))
             m_document.put("arrangement", quoted("published"));
+    }
+
+    /// As the recipe names it. Says why the parts come from there.
+    std::string projectWithParts()
+    {
+        if (m_choices.projectPath.empty())
+            throw Problem(
+                followFromFiles()
+                    ? Message("Recipe", "the files of its parts are not there any more; save the project first.")
+                    : Message("Recipe", "its parts were deformed after they were kneaded, or by a field whose file is "
+                                        "not there any more, and only a project keeps them so; save the project "
+                                        "first."));
+        if (!followFromFiles())
+            m_remarks.push_back(Message("Recipe", "The parts were deformed by numbers or by a field: the recipe "
+                                                  "takes them from the project, as they were then."));
+        else if (!m_choices.namesProject)
+            m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
+                                                  "the recipe takes the parts from the project."));
+        return fileSeenFrom(m_choices.recipePath, m_choices.projectPath);
+    }
+
+    std::vector<std::string> deformations() const
+    {
+        std::vector<std::string> texts;
+        for (RecipeDeformation deformation : m_start.deformations) {
+            if (auto* field = std::get_if<RecipeField>(&deformation.what))
+                field->file = fileSeenFrom(m_choices.recipePath, field->file);
+            texts.push_back(recipe_keys::DeformationWords{m_words.context}.text(deformation));
+        }
+        return texts;
     }
 
     template <class Value>
@@ -224,14 +257,16 @@ private:
         const History history(m_project.entries, m_project.current, std::numeric_limits<std::size_t>::max());
         const std::uint32_t start = history.record(m_project.current).start;
         std::vector<RecipeGesture> gestures;
+        bool isAnyBefore = false;
         for (const History::Entry entry : history.pathTo(m_project.current)) {
             const HistoryRecord& record = history.record(entry);
+            isAnyBefore = isAnyBefore || (record.start != start && !record.commands.empty());
             if (entry != 0 && record.start != history.record(record.parent).start)
                 gestures.clear();
             if (record.start == start)
                 gestures.push_back({record.name, record.commands});
         }
-        if (start != m_project.entries.front().start)
+        if (isAnyBefore)
             m_remarks.push_back(Message("Recipe", "The recipe begins where the part was filled last; what was done "
                                                   "before left nothing behind but tools, materials and fixtures."));
         return eventTexts(m_words, gestures);

@@ -16,6 +16,7 @@ struct RecipeOfProjectChoices {
     std::string projectPath; ///< empty: the project was not saved
     bool namesProject =
         false; ///< takes the parts from the project even where the files that it was made from are still there
+    bool saysDeformations = true; ///< of parts, as steps of the recipe; else it takes these from the project
 };
 
 /// The same project with what was set before its first step (materials, kinds of bodies, gravity, floor, integrator) as its

@@ -94,6 +94,7 @@ void describeKeys(Fields& fields, Field& field)
     fields.optional("step", field.choice.step, StepNumber{});
     fields.optional("name", field.choice.name, Text{});
     fields.optional("unit", field.choice.unit, LengthUnitName{});
+    fields.optional("in_place", field.choice.isInPlace, Flag{});
 }
 
 /// A name alone, or an object.

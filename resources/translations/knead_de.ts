@@ -947,6 +947,14 @@
         <source>Deform by a field</source>
         <translation>Mit einem Feld verformen</translation>
     </message>
+    <message>
+        <source>Projects of Knead</source>
+        <translation>Projekte von Knead</translation>
+    </message>
+    <message>
+        <source>Scans of the part</source>
+        <translation>Scans des Teils</translation>
+    </message>
 </context>
 <context>
     <name>DeformPanel</name>
@@ -2657,6 +2665,10 @@
         <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
         <translation>ein Knoten hat eine Koordinate, die keine Zahl oder viel zu groß ist; die Datei noch einmal schreiben.</translation>
     </message>
+    <message>
+        <source>the collection names %1, which is no ordinary file in its folder; put the file beside the collection and open that again.</source>
+        <translation>die Sammlung nennt %1, das keine gewöhnliche Datei in ihrem Ordner ist; die Datei neben die Sammlung legen und diese noch einmal öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>FieldPage</name>
@@ -2756,6 +2768,14 @@
         <source>Remarks</source>
         <translation>Hinweise</translation>
     </message>
+    <message>
+        <source>Lies where the part does</source>
+        <translation>Liegt, wo das Teil liegt</translation>
+    </message>
+    <message>
+        <source>Else the scan is laid over the part as a rigid thing first</source>
+        <translation>Sonst wird der Scan erst als starres Ding auf das Teil gelegt</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2802,6 +2822,10 @@
     <message>
         <source>Name another one with --probes.</source>
         <translation>Eine andere mit --probes nennen.</translation>
+    </message>
+    <message>
+        <source>No file can be made in memory (%1).</source>
+        <translation>Im Speicher lässt sich keine Datei anlegen (%1).</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +5875,53 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>OtherPartDialog</name>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Auf ein anderes Teil anwenden</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Quer zu %1</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>Dieselbe</translation>
+    </message>
+    <message>
+        <source>Another one, as its box says</source>
+        <translation>Eine andere, wie ihr Quader sagt</translation>
+    </message>
+    <message>
+        <source>So many times as large</source>
+        <translation>So viele Male so groß</translation>
+    </message>
+    <message>
+        <source>%1, as compared with the part that is open:</source>
+        <translation>%1, verglichen mit dem Teil, das offen ist:</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>Find the faces again</source>
+        <translation>Flächen wiederfinden</translation>
+    </message>
+</context>
+<context>
     <name>OtherPartFeature</name>
     <message>
         <source>%1 of %2 faces were found again.</source>
@@ -6724,6 +6795,14 @@ Simuliert: %2, Schritt %3
         <source>it is no sentence</source>
         <translation>es ist kein Satz</translation>
     </message>
+    <message>
+        <source>the file holds triggers, views or virtual tables, which no Knead writes: somebody else put them there. Nothing of it was opened.</source>
+        <translation>die Datei enthält Trigger, Sichten oder virtuelle Tabellen, die kein Knead schreibt: jemand anders hat sie hineingesetzt. Nichts davon wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>how the parts of start state %1 were deformed</source>
+        <translation>wie die Teile des Anfangszustands %1 verformt wurden</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7486,10 +7565,6 @@ Simuliert: %2, Schritt %3
         <translation>muss beide Schlüssel kept_faces und fade_mm haben oder keinen.</translation>
     </message>
     <message>
-        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
-        <translation>ihre Teile wurden mit Zahlen oder einem Feld verformt, und nur ein Projekt bewahrt sie so; zuerst das Projekt speichern.</translation>
-    </message>
-    <message>
         <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
         <translation>Die Teile wurden mit Zahlen oder einem Feld verformt: das Rezept nimmt sie aus dem Projekt, wie sie dann waren.</translation>
     </message>
@@ -7508,6 +7583,22 @@ Simuliert: %2, Schritt %3
     <message>
         <source>is so small that the bend goes around more than ten times; take a larger one.</source>
         <translation>ist so klein, dass die Biegung mehr als zehnmal herumgeht; einen größeren nehmen.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces of the body &quot;%1&quot;, which it does not deform.</source>
+        <translation>„deform“ lässt Flächen des Körpers „%1“, wo sie sind, den es nicht verformt.</translation>
+    </message>
+    <message>
+        <source>must have one of the keys neutral_mm and k_factor, or none.</source>
+        <translation>muss einen der Schlüssel neutral_mm und k_factor haben oder keinen.</translation>
+    </message>
+    <message>
+        <source>must name at least one body.</source>
+        <translation>muss mindestens einen Körper nennen.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
+        <translation>ihre Teile wurden verformt, nachdem sie geknetet worden waren, oder mit einem Feld, dessen Datei nicht mehr da ist, und nur ein Projekt bewahrt sie so; zuerst das Projekt speichern.</translation>
     </message>
 </context>
 <context>
@@ -8948,6 +9039,10 @@ Simuliert: %2, Schritt %3
         <source>comparing the scan with the part</source>
         <translation>der Scan wird mit dem Teil verglichen</translation>
     </message>
+    <message>
+        <source>finding the faces again</source>
+        <translation>Flächen werden wiedergefunden</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -9133,6 +9228,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>die Datei enthält nur Kurven und Punkte, keinen Körper und keine Fläche; das Teil als Körper exportieren.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1, which is no ordinary file in its folder; put the file beside the assembly and open that again.</source>
+        <translation>die Baugruppe verweist auf %1, das keine gewöhnliche Datei in ihrem Ordner ist; die Datei neben die Baugruppe legen und diese noch einmal öffnen.</translation>
     </message>
 </context>
 <context>

@@ -947,6 +947,14 @@
         <source>Deform by a field</source>
         <translation>Déformer par un champ</translation>
     </message>
+    <message>
+        <source>Projects of Knead</source>
+        <translation>Projets de Knead</translation>
+    </message>
+    <message>
+        <source>Scans of the part</source>
+        <translation>Scans de la pièce</translation>
+    </message>
 </context>
 <context>
     <name>DeformPanel</name>
@@ -2657,6 +2665,10 @@
         <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
         <translation>un nœud a une coordonnée qui n&apos;est pas un nombre ou qui est bien trop grande ; réécrivez le fichier.</translation>
     </message>
+    <message>
+        <source>the collection names %1, which is no ordinary file in its folder; put the file beside the collection and open that again.</source>
+        <translation>la collection nomme %1, qui n’est pas un fichier ordinaire de son dossier ; placez le fichier à côté de la collection et rouvrez celle-ci.</translation>
+    </message>
 </context>
 <context>
     <name>FieldPage</name>
@@ -2756,6 +2768,14 @@
         <source>Remarks</source>
         <translation>Remarques</translation>
     </message>
+    <message>
+        <source>Lies where the part does</source>
+        <translation>Est là où est la pièce</translation>
+    </message>
+    <message>
+        <source>Else the scan is laid over the part as a rigid thing first</source>
+        <translation>Sinon le scan est d’abord posé sur la pièce comme un objet rigide</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2802,6 +2822,10 @@
     <message>
         <source>Name another one with --probes.</source>
         <translation>Nommez-en un autre avec --probes.</translation>
+    </message>
+    <message>
+        <source>No file can be made in memory (%1).</source>
+        <translation>Aucun fichier ne peut être créé en mémoire (%1).</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +5875,53 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>OtherPartDialog</name>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Appliquer à une autre pièce</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>À travers %1</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>La même</translation>
+    </message>
+    <message>
+        <source>Another one, as its box says</source>
+        <translation>Une autre, selon sa boîte</translation>
+    </message>
+    <message>
+        <source>So many times as large</source>
+        <translation>Tant de fois plus grande</translation>
+    </message>
+    <message>
+        <source>%1, as compared with the part that is open:</source>
+        <translation>%1, par rapport à la pièce ouverte :</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>En miroir</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Fois</translation>
+    </message>
+    <message>
+        <source>Find the faces again</source>
+        <translation>Retrouver les faces</translation>
+    </message>
+</context>
+<context>
     <name>OtherPartFeature</name>
     <message>
         <source>%1 of %2 faces were found again.</source>
@@ -6724,6 +6795,14 @@ Simulé&#xa0;: %2, pas %3
         <source>it is no sentence</source>
         <translation>ce n&apos;est pas une phrase</translation>
     </message>
+    <message>
+        <source>the file holds triggers, views or virtual tables, which no Knead writes: somebody else put them there. Nothing of it was opened.</source>
+        <translation>le fichier contient des déclencheurs, des vues ou des tables virtuelles, qu’aucun Knead n’écrit : quelqu’un d’autre les y a mis. Rien n’en a été ouvert.</translation>
+    </message>
+    <message>
+        <source>how the parts of start state %1 were deformed</source>
+        <translation>comment les pièces de l’état de départ %1 ont été déformées</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7486,10 +7565,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>doit avoir les deux clés kept_faces et fade_mm, ou aucune.</translation>
     </message>
     <message>
-        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
-        <translation>ses pièces ont été déformées par des nombres ou par un champ, et seul un projet les garde ainsi ; enregistrez d&apos;abord le projet.</translation>
-    </message>
-    <message>
         <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
         <translation>Les pièces ont été déformées par des nombres ou par un champ : la recette les prend dans le projet, telles qu&apos;elles étaient alors.</translation>
     </message>
@@ -7508,6 +7583,22 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>is so small that the bend goes around more than ten times; take a larger one.</source>
         <translation>est si petit que la flexion fait plus de dix tours ; prenez-en un plus grand.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces of the body &quot;%1&quot;, which it does not deform.</source>
+        <translation>« deform » garde en place des faces du corps « %1 », qu’il ne déforme pas.</translation>
+    </message>
+    <message>
+        <source>must have one of the keys neutral_mm and k_factor, or none.</source>
+        <translation>doit avoir l’une des clés neutral_mm et k_factor, ou aucune.</translation>
+    </message>
+    <message>
+        <source>must name at least one body.</source>
+        <translation>doit nommer au moins un corps.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
+        <translation>ses pièces ont été déformées après avoir été pétries, ou par un champ dont le fichier n’est plus là, et seul un projet les garde ainsi ; enregistrez d’abord le projet.</translation>
     </message>
 </context>
 <context>
@@ -8948,6 +9039,10 @@ Simulé&#xa0;: %2, pas %3
         <source>comparing the scan with the part</source>
         <translation>comparaison du scan avec la pièce</translation>
     </message>
+    <message>
+        <source>finding the faces again</source>
+        <translation>recherche des faces</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -9133,6 +9228,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>le fichier ne contient que des courbes et des points, ni solide ni surface&#xa0;; exportez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1, which is no ordinary file in its folder; put the file beside the assembly and open that again.</source>
+        <translation>l’assemblage renvoie à %1, qui n’est pas un fichier ordinaire de son dossier ; placez le fichier à côté de l’assemblage et rouvrez celui-ci.</translation>
     </message>
 </context>
 <context>

@@ -947,6 +947,14 @@
         <source>Deform by a field</source>
         <translation>Vervormen met een veld</translation>
     </message>
+    <message>
+        <source>Projects of Knead</source>
+        <translation>Projecten van Knead</translation>
+    </message>
+    <message>
+        <source>Scans of the part</source>
+        <translation>Scans van het onderdeel</translation>
+    </message>
 </context>
 <context>
     <name>DeformPanel</name>
@@ -2657,6 +2665,10 @@
         <source>a node has a coordinate that is no number, or far too large; write the file again.</source>
         <translation>een knoop heeft een coördinaat die geen getal is of veel te groot; schrijf het bestand opnieuw.</translation>
     </message>
+    <message>
+        <source>the collection names %1, which is no ordinary file in its folder; put the file beside the collection and open that again.</source>
+        <translation>de verzameling noemt %1, dat geen gewoon bestand in haar map is; zet het bestand naast de verzameling en open die opnieuw.</translation>
+    </message>
 </context>
 <context>
     <name>FieldPage</name>
@@ -2756,6 +2768,14 @@
         <source>Remarks</source>
         <translation>Opmerkingen</translation>
     </message>
+    <message>
+        <source>Lies where the part does</source>
+        <translation>Ligt waar het onderdeel ligt</translation>
+    </message>
+    <message>
+        <source>Else the scan is laid over the part as a rigid thing first</source>
+        <translation>Anders wordt de scan eerst als star ding op het onderdeel gelegd</translation>
+    </message>
 </context>
 <context>
     <name>File</name>
@@ -2802,6 +2822,10 @@
     <message>
         <source>Name another one with --probes.</source>
         <translation>Noem een ander met --probes.</translation>
+    </message>
+    <message>
+        <source>No file can be made in memory (%1).</source>
+        <translation>In het geheugen kan geen bestand worden gemaakt (%1).</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +5875,53 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>OtherPartDialog</name>
+    <message>
+        <source>Apply to another part</source>
+        <translation>Op een ander onderdeel toepassen</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nee</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Dwars op %1</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>Dezelfde</translation>
+    </message>
+    <message>
+        <source>Another one, as its box says</source>
+        <translation>Een andere, zoals de omhullende zegt</translation>
+    </message>
+    <message>
+        <source>So many times as large</source>
+        <translation>Zo veel keer zo groot</translation>
+    </message>
+    <message>
+        <source>%1, as compared with the part that is open:</source>
+        <translation>%1, vergeleken met het onderdeel dat open is:</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegeld</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Keer</translation>
+    </message>
+    <message>
+        <source>Find the faces again</source>
+        <translation>Vlakken terugvinden</translation>
+    </message>
+</context>
+<context>
     <name>OtherPartFeature</name>
     <message>
         <source>%1 of %2 faces were found again.</source>
@@ -6724,6 +6795,14 @@ Gesimuleerd: %2, stap %3
         <source>it is no sentence</source>
         <translation>het is geen zin</translation>
     </message>
+    <message>
+        <source>the file holds triggers, views or virtual tables, which no Knead writes: somebody else put them there. Nothing of it was opened.</source>
+        <translation>het bestand bevat triggers, views of virtuele tabellen, die geen enkele Knead schrijft: iemand anders heeft ze erin gezet. Er is niets van geopend.</translation>
+    </message>
+    <message>
+        <source>how the parts of start state %1 were deformed</source>
+        <translation>hoe de onderdelen van begintoestand %1 zijn vervormd</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7486,10 +7565,6 @@ Gesimuleerd: %2, stap %3
         <translation>moet beide sleutels kept_faces en fade_mm hebben, of geen van beide.</translation>
     </message>
     <message>
-        <source>its parts were deformed by numbers or by a field, and only a project keeps them so; save the project first.</source>
-        <translation>de onderdelen zijn met getallen of met een veld vervormd, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
-    </message>
-    <message>
         <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
         <translation>De onderdelen zijn met getallen of met een veld vervormd: het recept neemt ze uit het project, zoals ze toen waren.</translation>
     </message>
@@ -7508,6 +7583,22 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>is so small that the bend goes around more than ten times; take a larger one.</source>
         <translation>is zo klein dat de buiging meer dan tien keer rondgaat; neem een grotere.</translation>
+    </message>
+    <message>
+        <source>&quot;deform&quot; keeps faces of the body &quot;%1&quot;, which it does not deform.</source>
+        <translation>‘deform’ houdt vlakken van het lichaam ‘%1’ op hun plaats, dat het niet vervormt.</translation>
+    </message>
+    <message>
+        <source>must have one of the keys neutral_mm and k_factor, or none.</source>
+        <translation>moet een van de sleutels neutral_mm en k_factor hebben, of geen.</translation>
+    </message>
+    <message>
+        <source>must name at least one body.</source>
+        <translation>moet minstens één lichaam noemen.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
+        <translation>de onderdelen zijn vervormd nadat ze gekneed waren, of door een veld waarvan het bestand er niet meer is, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
     </message>
 </context>
 <context>
@@ -8948,6 +9039,10 @@ Gesimuleerd: %2, stap %3
         <source>comparing the scan with the part</source>
         <translation>de scan met het deel vergelijken</translation>
     </message>
+    <message>
+        <source>finding the faces again</source>
+        <translation>vlakken worden teruggevonden</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -9133,6 +9228,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>the file holds curves and points only, no solid and no surface; export the part as a solid.</source>
         <translation>het bestand bevat alleen krommen en punten, geen lichaam en geen oppervlak; exporteer het onderdeel als lichaam.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1, which is no ordinary file in its folder; put the file beside the assembly and open that again.</source>
+        <translation>de samenstelling verwijst naar %1, dat geen gewoon bestand in haar map is; zet het bestand naast de samenstelling en open die opnieuw.</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,13 @@
 #include "core/geometry/mass_properties.h"
+#include "core/geometry/refine.h"
+#include "io/formats/mesh_writer.h"
 #include "support/projects_on_test.h"
+#include "support/same_values.h"
 #include "ui/deforming/deform_feature.h"
+#include "ui/measuring/measuring.h"
+#include "ui/panels/model_tree.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/probes/probe_set.h"
 #include "ui/run_window.h"
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
@@ -16,7 +22,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <set>
 
 using namespace knead;
 
@@ -31,6 +39,8 @@ class WindowDeformTest : public QObject, ProjectsOnTest {
     QString presentName() { return QString::fromStdString(tree().record(tree().current()).name); }
     const Model& model() { return *document().content().model; }
     const Part& bar() { return model().parts.at(0); }
+
+    ModelTree& modelTree() { return *m_window->findChild<ModelTree*>(); }
 
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
@@ -96,25 +106,58 @@ class WindowDeformTest : public QObject, ProjectsOnTest {
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + way);
     }
 
-    /// Every file has the same two steps: u = (0, 0, x / 20) at the nodes of a grid around the bar.
+    /// Every file has the same two steps: u = (0, 0, x / 20) at the nodes of a grid around the bar. The first one cannot be read.
     Services servicesWithShear()
     {
+        return servicesWith([](const Vec3& node) { return Vec3(0, 0, 0.05 * node.x()); });
+    }
+    Services servicesWith(const std::function<Vec3(const Vec3& node)>& displacement)
+    {
         Services services = m_services;
-        services.readField = [](const std::string& path, const FieldChoice& choice, TaskControl&) {
+        services.readField = [displacement](const std::string& path, const FieldChoice& choice, const TriangleMesh&,
+                                            TaskControl&) {
             FieldFile read{.path = path, .format = "table", .steps = {"1", "2"}, .names = {"DISP"}, .name = "DISP"};
             read.step = choice.step.value_or(1);
+            if (read.step == 0)
+                throw Problem(Message::verbatim("The first step is damaged."));
             read.unit = choice.unit.empty() ? "mm" : choice.unit;
             for (int x = 0; x <= 12; ++x)
                 for (int y = 0; y <= 4; ++y)
                     for (int z = 0; z <= 4; ++z) {
                         const Vec3 node(0.02 * x - 0.12, 0.015 * y - 0.03, 0.015 * z - 0.03);
                         read.field.nodes.push_back(node);
-                        read.field.displacements.emplace_back(0, 0, 0.05 * node.x());
+                        read.field.displacements.push_back(displacement(node));
                     }
             read.warnings.push_back(Message::verbatim("Two nodes were left out."));
             return read;
         };
         return services;
+    }
+
+    /// u = (0, 0, x^2 / 1 m), in millimetres, with words above its columns.
+    void writeWarp()
+    {
+        QFile table(file("warp.csv"));
+        QVERIFY(table.open(QFile::WriteOnly));
+        table.write("x,y,z,dx,dy,dz\n");
+        for (int x = 0; x <= 16; ++x)
+            for (int y = 0; y <= 2; ++y)
+                for (int z = 0; z <= 2; ++z)
+                    table.write(qPrintable(
+                        QString("%1,%2,%3,0,0,%4\n").arg(10 * x).arg(10 * y).arg(10 * z).arg(0.001 * 100 * x * x)));
+        table.close();
+    }
+
+    /// As a machine that measures writes it.
+    static void writeScan(const TriangleMesh& mesh, const QString& path)
+    {
+        writeMeshes(path.toStdString(), {MeshBody{"scan", Color{}, refine(mesh, mesh.empty() ? 1 : 0.004)}});
+    }
+
+    QByteArray read(const QString& name)
+    {
+        QFile from(name);
+        return from.open(QFile::ReadOnly) ? from.readAll() : QByteArray();
     }
 
     double value(const char* name) { return find<QuantityField>(name)->value(); }
@@ -223,6 +266,32 @@ private slots:
         QCOMPARE(tree().records().size(), entries);
     }
 
+    /// The task that was to do it, too.
+    void cancelGivesUpWhatIsBeingApplied()
+    {
+        openBar();
+        const std::size_t entries = tree().records().size();
+        begin("deformStretch");
+        previewed();
+        QTest::mouseClick(find<QPushButton>("applyDeform"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->tasks().isRunning(), patience);
+        QTest::mouseClick(find<QPushButton>("cancelDeform"), Qt::LeftButton);
+        QVERIFY(!m_window->tasks().isRunning() && !action("deform")->isChecked());
+        wait();
+        QCOMPARE(tree().records().size(), entries);
+    }
+
+    void itEndsWhenTimeRuns()
+    {
+        openBar();
+        begin("deformTwist");
+        previewed();
+        action("play")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!action("deform")->isChecked(), patience);
+        QVERIFY(document().isPlaying() && !m_window->viewport().isLookingBack());
+        document().pause();
+    }
+
     /// A sentence with the radius that would do.
     void aBendThatFoldsIsRefused()
     {
@@ -287,7 +356,11 @@ private slots:
         begin("deformShear");
         picture("deform-shear");
         type("deformShift", "10 mm");
+        SceneOptions options = m_window->viewport().options();
+        options.hiddenParts = {0};
+        m_window->viewport().setOptions(options);
         apply();
+        QCOMPARE(m_window->viewport().options().hiddenParts, std::set<std::size_t>{0});
         QCOMPARE(snapshot().fixtures.size(), std::size_t{1});
         QVERIFY(snapshot().gravity == gravity);
         QCOMPARE(snapshot().tools.size(), std::size_t{1});
@@ -318,6 +391,12 @@ private slots:
         QVERIFY(find<QLabel>("fieldSentences")->text().contains("left out"));
         QVERIFY(m_window->viewport().scale().has_value());
         picture("deform-field");
+        auto* step = find<QComboBox>("fieldStep");
+        step->setCurrentIndex(0);
+        emit step->activated(0);
+        QTRY_VERIFY_WITH_TIMEOUT(problem().contains("damaged"), patience);
+        QCOMPARE(step->currentIndex(), 1); // which the field is still of
+        closeBanner();
         type("fieldFactor", "-2");
         type("fieldExaggeration", "5");
         QTest::mouseClick(find<QCheckBox>("fieldColors"), Qt::LeftButton);
@@ -328,6 +407,26 @@ private slots:
         const double rise = 2 * 0.05 * before.sizes().x();
         QVERIFY2(std::abs(bar().box.sizes().z() - before.sizes().z() - rise) < 1e-3 * before.sizes().x(),
                  qPrintable(QString::number(bar().box.sizes().z() - before.sizes().z())));
+    }
+
+    /// Whatever the view exaggerates: half of it would do.
+    void aFieldThatFoldsIsRefused()
+    {
+        newWindow(servicesWith([](const Vec3& node) { return Vec3(-0.75 * node.x(), 0, 0); }));
+        openBar();
+        m_window->features().deforming->openField(file("result.csv"));
+        waitForTasks();
+        auto* told = find<QLabel>("deformProblem");
+        type("fieldExaggeration", "0.1");
+        type("fieldFactor", "2");
+        QTRY_VERIFY_WITH_TIMEOUT(told->isVisible(), patience);
+        QVERIFY2(told->text().contains("inside out"), qPrintable(told->text()));
+        m_window->viewport().setFocus();
+        QTest::keyClick(&m_window->viewport(), Qt::Key_Return);
+        QVERIFY(!m_window->tasks().isRunning() && problem().contains("inside out"));
+        closeBanner();
+        type("fieldFactor", "1");
+        QVERIFY(!told->isVisible() && find<QPushButton>("applyDeform")->isEnabled());
     }
 
     /// What stays is chosen in the part as it is, with clicks.
@@ -364,21 +463,12 @@ private slots:
         picture("deform-kept");
     }
 
-    /// In millimetres, with words above its columns.
     void aTableIsReadAndFits()
     {
-        QFile table(file("warp.csv"));
-        QVERIFY(table.open(QFile::WriteOnly));
-        table.write("x,y,z,dx,dy,dz\n");
-        for (int x = 0; x <= 16; ++x)
-            for (int y = 0; y <= 2; ++y)
-                for (int z = 0; z <= 2; ++z)
-                    table.write(qPrintable(
-                        QString("%1,%2,%3,0,0,%4\n").arg(10 * x).arg(10 * y).arg(10 * z).arg(0.001 * 100 * x * x)));
-        table.close();
+        writeWarp();
         openBar();
         const double volume = bar().volume;
-        m_window->features().deforming->openField(table.fileName());
+        m_window->features().deforming->openField(file("warp.csv"));
         waitForTasks();
         QVERIFY2(action("deform")->isChecked(), qPrintable(problem()));
         previewed();
@@ -402,6 +492,151 @@ private slots:
         QCOMPARE(project.starts.size(), std::size_t{2});
         QVERIFY(!project.starts[0].model && project.starts[1].model);
         QVERIFY(shownModel(project)->parts[0].volume < 0.8 * project.model->parts[0].volume);
+    }
+
+    /// Carried out, it comes to the same parts and objects, to the bit.
+    void whatWasDeformedIsARecipe()
+    {
+        writeWarp();
+        openBar();
+        begin("deformBend");
+        type("deformAngle", "40");
+        apply();
+        m_window->features().deforming->openField(file("warp.csv"));
+        waitForTasks();
+        previewed();
+        auto* choose = find<QPushButton>("fieldKeep");
+        QTest::mouseClick(choose, Qt::LeftButton);
+        document().selected().select(regionOf(Level::Face, 0, {faceAt(bar().box.min().x())}));
+        QTest::mouseClick(choose, Qt::LeftButton);
+        QCOMPARE(find<QLabel>("fieldKept")->text(), QString("1"));
+        type("fieldFactor", "-0.5");
+        QTest::mouseClick(find<QCheckBox>("fieldLockY"), Qt::LeftButton);
+        previewed();
+        apply();
+        const Project project = document().project();
+        QCOMPARE(project.starts.size(), std::size_t{3});
+        QCOMPARE(project.starts[2].deformations.size(), std::size_t{2});
+        const std::string path = file("deformed.recipe.json").toStdString();
+        const std::vector<Message> remarks = m_services.recipes.write(path, project, {});
+        QVERIFY2(remarks.empty(), (remarks.empty() ? std::string() : remarks.front().english()).c_str());
+        const QString text = QString::fromUtf8(read(file("deformed.recipe.json")));
+        for (const char* said : {"bar.step", "\"angle_deg\": 40", "\"field\": \"warp.csv\"", "\"factor\": -0.5",
+                                 "\"locked\": [\"y\"]", "\"kept_faces\"", "\"fade_mm\"", "\"separately\": true"})
+            QVERIFY2(text.contains(said), qPrintable(text.left(2000)));
+        const RecipeStart again = m_services.recipes.open(path, TaskControl::none());
+        QCOMPARE(again.model->parts[0].faces.size(), bar().faces.size());
+        QVERIFY(again.model->parts[0].mesh.vertices == bar().mesh.vertices);
+        QVERIFY(same::values(again.start.scene.bodies[0].aggregate, project.starts[2].scene.bodies[0].aggregate));
+
+        saveTo(file("deformed.knead"));
+        newWindow(m_services);
+        openProject(file("deformed.knead"));
+        QVERIFY(m_services.recipes.write(path, document().project(), {}).empty());
+        QCOMPARE(QString::fromUtf8(read(file("deformed.recipe.json"))), text);
+    }
+
+    /// What is on the skin goes along, what is hidden stays hidden, and undo brings back what was there before.
+    void measurementsAndProbesGoAlong()
+    {
+        openBar();
+        const Box box = document().content().box;
+        const Vec3 end(box.max().x(), box.center().y(), box.center().z());
+        const std::optional<SkinPlace> tip = nearestPlace(end, document().content().bodies);
+        const std::optional<SkinPlace> root =
+            nearestPlace(Vec3(box.min().x(), end.y(), end.z()), document().content().bodies);
+        QVERIFY(tip && root);
+        MeasurementList& list = m_window->measuring().list();
+        list.add(MeasureKind::distance, {*root, *tip});
+        list.add(MeasureKind::point, {*tip});
+        m_window->probes().add(*tip);
+        modelTree().hideParts({0});
+        const auto places = [&] {
+            std::vector<Vec3> all;
+            for (const SkinPlace& place :
+                 {list.all()[0].places[1], list.all()[1].places[0], m_window->probes().all()[0].place}) {
+                const FilledBody& body = *document().content().bodies[place.body];
+                all.push_back(placeOf(place, body, body.mesh.vertices));
+            }
+            return all;
+        };
+        const auto isHidden = [&] {
+            return m_window->viewport().options().hiddenParts == std::set<std::size_t>{0} &&
+                   modelTree().hiddenParts() == std::set<std::size_t>{0};
+        };
+        begin("deformShear");
+        type("deformShift", "10 mm");
+        apply();
+        QCOMPARE(list.all().size(), std::size_t{2});
+        QCOMPARE(m_window->probes().all().size(), std::size_t{1});
+        QCOMPARE(list.all()[0].number, 1);
+        const Vec3 moved = end + Vec3(0, 0, bar().box.sizes().z() - box.sizes().z());
+        for (const Vec3& place : places())
+            QVERIFY2((place - moved).norm() < 1e-5,
+                     qPrintable(QString("%1 %2 %3").arg(place.x()).arg(place.y()).arg(place.z())));
+        QVERIFY(isHidden());
+        list.add(MeasureKind::point, {list.all()[0].places[0]});
+
+        key(Qt::Key_Z, Qt::ControlModifier);
+        wait();
+        QCOMPARE(list.all().size(), std::size_t{2});
+        QCOMPARE(m_window->probes().all().size(), std::size_t{1});
+        for (const Vec3& place : places())
+            QVERIFY((place - end).norm() < 1e-9);
+        QVERIFY(isHidden());
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        wait();
+        QCOMPARE(list.all().size(), std::size_t{3});
+        for (const Vec3& place : places())
+            QVERIFY((place - moved).norm() < 1e-5);
+        openBar();
+        QVERIFY(list.all().empty() && m_window->probes().all().empty());
+        QVERIFY(modelTree().hiddenParts().empty());
+    }
+
+    /// What was done in another session, and a scan of the part.
+    void projectsAndScansAreFields()
+    {
+        openBar();
+        begin("deformBend");
+        type("deformAngle", "20");
+        apply();
+        const Box bent = document().content().box;
+        writeScan(bar().mesh, file("scan.stl"));
+        openBar();
+        const double size = document().content().box.sizes().x();
+        m_window->features().deforming->openField(file("scan.stl"));
+        waitForTasks();
+        QVERIFY2(action("deform")->isChecked(), qPrintable(problem()));
+        QVERIFY(find<QCheckBox>("fieldInPlace")->isVisible() && !find<QCheckBox>("fieldInPlace")->isChecked());
+        QTest::mouseClick(find<QCheckBox>("fieldInPlace"), Qt::LeftButton);
+        waitForTasks();
+        QVERIFY(find<QCheckBox>("fieldInPlace")->isChecked());
+        previewed();
+        apply();
+        QCOMPARE(presentName(), QString("Deformed by scan.stl"));
+        const Box scanned = document().content().box;
+        QVERIFY2((scanned.max() - bent.max()).norm() < 0.02 * size,
+                 qPrintable(QString::number((scanned.max() - bent.max()).norm() / size)));
+
+        openBar();
+        action("pressIt")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.3, patience);
+        key(Qt::Key_Space);
+        waitForGesture();
+        saveTo(file("pressed.knead"));
+        Box pressed;
+        for (const auto& body : document().frame()->bodies)
+            pressed.extend(boxOfPlaces(body->places));
+        openBar();
+        m_window->features().deforming->openField(file("pressed.knead"));
+        waitForTasks();
+        QVERIFY2(action("deform")->isChecked(), qPrintable(problem()));
+        QVERIFY(!find<QCheckBox>("fieldInPlace")->isVisible() && !find<QComboBox>("fieldUnit")->isEnabled());
+        previewed();
+        apply();
+        QVERIFY2((document().content().box.max() - pressed.max()).norm() < 0.01 * size,
+                 qPrintable(QString::number((document().content().box.max() - pressed.max()).norm() / size)));
     }
 
     void picturesInBothThemes()

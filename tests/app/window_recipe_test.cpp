@@ -7,6 +7,8 @@
 #include "ui/project/recent_files.h"
 #include "ui/run_window.h"
 
+#include <QComboBox>
+#include <QDialog>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -16,6 +18,9 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
+
+#include <cmath>
+#include <fstream>
 
 using namespace knead;
 using workshop::json;
@@ -193,7 +198,7 @@ private slots:
         m_window->projects().saveTo(m_project);
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(m_project) && !m_window->tasks().isRunning(), patience);
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead({"replay", m_project, "--all", "--threads", threads});
+            const Outcome outcome = workshop::runKnead({"replay", m_project, "--all", "--threads", threads});
             QVERIFY2(outcome.status == 0, (outcome.out + outcome.errors).c_str());
         }
     }
@@ -258,6 +263,44 @@ private slots:
         QVERIFY(document().fixtures().list()[0].faces == std::vector<std::uint32_t>{0});
     }
 
+    /// What is chosen in the dialog comes to the same as on the command line.
+    void whatWasDoneGoesToAPartOfAnotherSize()
+    {
+        open(m_recipe);
+        std::ofstream table(m_shop.path("double.csv"));
+        table << "X,Y,Z,DX,DY,DZ\n";
+        for (int x = -40; x <= 200; x += 40)
+            for (int y = -20; y <= 40; y += 20)
+                for (int z = -20; z <= 40; z += 20)
+                    table << x << ',' << y << ',' << z << ',' << x << ',' << y << ',' << z << '\n';
+        table.close();
+        const QString larger = m_shop.qPath("bar-xl.step");
+        const workshop::Outcome made = workshop::runKnead(
+            {"morph", example("bar.step"), "--field", m_shop.qPath("double.csv"), "--output", larger});
+        QVERIFY2(made.status == 0, made.errors.c_str());
+        m_window->features().otherPart->askAbout(larger);
+        auto* dialog = find<QDialog>("otherPartOptions");
+        QVERIFY(dialog != nullptr && !find<QLineEdit>("otherPartFactor")->isEnabled());
+        QVERIFY(QTest::qWaitForWindowActive(dialog, patience));
+        find<QComboBox>("otherPartMirror")->setCurrentIndex(2);
+        find<QComboBox>("otherPartSize")->setCurrentIndex(2);
+        QVERIFY(find<QLineEdit>("otherPartFactor")->isEnabled());
+        auto* times = find<QLineEdit>("otherPartFactor");
+        times->setFocus();
+        times->selectAll();
+        QTest::keyClicks(times, "2");
+        picture("recipe-other-part-options");
+        QTest::mouseClick(find<QPushButton>("otherPartFind"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("otherPartBox") != nullptr, patience);
+        const QString found = find<QMessageBox>("otherPartBox")->informativeText();
+        QVERIFY2(found.contains("6 of 6 faces"), qPrintable(found));
+        const double spacing = document().content().spacing;
+        QTest::mouseClick(find<QPushButton>("otherPartOpen"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(document().history().tree().records()[0].name, std::string("Apply to bar-xl.step"),
+                                  patience);
+        QVERIFY(std::abs(document().content().spacing / spacing - 2) < 1e-9);
+    }
+
     void recipesAreDroppedOnTheWindow()
     {
         QMimeData data;
@@ -309,7 +352,7 @@ private:
 
     static std::string hashOf(const QStringList& arguments)
     {
-        const Outcome outcome = workshop::knead(arguments + QStringList{"--json"});
+        const Outcome outcome = workshop::runKnead(arguments + QStringList{"--json"});
         return outcome.status == 0 ? json::parse(outcome.out).at("state_hash").get<std::string>() : outcome.errors;
     }
 

@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(fit.farthest.part, std::size_t{1});
         QVERIFY(fit.farthest.face && *fit.farthest.face == 1);
         QVERIFY(std::abs(fit.farthest.value - 0.04) < 1e-3);
-        QVERIFY(says(fit.remarks, "on face 2, at (90, "));
+        QVERIFY(says(fit.remarks, "on face 1, at (90, "));
     }
 
     void foldIsTold()

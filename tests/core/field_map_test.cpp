@@ -302,6 +302,22 @@ private slots:
         }
     }
 
+    /// To the last bit, whatever the map before was of.
+    void aMapMadeFromAnEarlierOneIsAsIfMadeAnew()
+    {
+        const auto field = nodesOf(barSize, barSize.z() / 4, cantilever);
+        const auto other = nodesOf(barSize, barSize.z() / 4, quadratic);
+        const auto plain = fieldMap({.field = field});
+        const FieldDeformation changed{.field = field, .factor = -2, .locked = {false, true, false}};
+        for (const auto& earlier : {plain, fieldMap(changed), fieldMap({.field = other})}) {
+            const auto fromThat = fieldMap(changed, TaskControl::none(), earlier.get());
+            const auto anew = fieldMap(changed);
+            QVERIFY(fromThat->featureSize() == anew->featureSize());
+            for (const Vec3& point : skinPoints(barSize, 100))
+                QVERIFY(fromThat->at(point) == anew->at(point));
+        }
+    }
+
     void nodesInOnePlaceAreOne()
     {
         DisplacementField twice = *nodesOf(barSize, barSize.z() / 4, quadratic);

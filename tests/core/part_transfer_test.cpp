@@ -11,6 +11,8 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -123,6 +125,23 @@ PartTransfer transferred(const Recipe& recipe, const Part& before, const Part& a
 {
     return transferToPart(recipe, "new", filesOf({{"old", before}, {"new", after}}), options, TaskControl::none());
 }
+
+/// Asks to stop when it was asked so often.
+class CancelledLater final : public TaskControl {
+public:
+    explicit CancelledLater(int after = std::numeric_limits<int>::max())
+        : m_after(after)
+    {
+    }
+    void report(double fraction, std::string_view) override { fractions.push_back(fraction); }
+    bool isCancelled() const override { return asked++ >= m_after; }
+
+    std::vector<double> fractions;
+    mutable std::atomic<int> asked = 0;
+
+private:
+    int m_after;
+};
 
 bool isNear(const Vec3& a, const Vec3& b, double within = 1e-6)
 {
@@ -359,6 +378,38 @@ private slots:
         const DisplacementField there = fieldOnPart(field, transfer);
         QVERIFY(isNear(there.nodes[0], Vec3(-0.04, 0.002, 0.01)));
         QVERIFY(isNear(there.displacements[0], Vec3(-0.001, 0.002, 0.003)));
+    }
+
+    /// Of an assembly: wherever a person asks to stop, it stops, and says until then how far it is.
+    void matchingAndCarryingAreCancelled()
+    {
+        std::vector<Part> before;
+        for (int i = 0; i < 40; ++i) {
+            before.push_back(bracket(0.04 + 0.0005 * i, 0.03));
+            before.back().name = "bracket " + std::to_string(i);
+            for (Vec3& vertex : before.back().mesh.vertices)
+                vertex.y() += 0.05 * i;
+        }
+        CancelledLater never;
+        PartTransfer transfer;
+        transfer.bodies = mapBodies(before, before, {}, never);
+        QCOMPARE(transfer.bodies.size(), before.size());
+        QVERIFY(never.fractions.size() > 1 && std::ranges::is_sorted(never.fractions));
+        for (const int asked : {0, never.asked / 3, never.asked - 1}) {
+            CancelledLater control(asked);
+            QVERIFY_THROWS_EXCEPTION(Cancelled, mapBodies(before, before, {}, control));
+        }
+        DisplacementField field;
+        for (int i = 0; i < 5000; ++i)
+            field.nodes.emplace_back(0.001 * (i % 40), 0.0004 * i, 0.002);
+        field.displacements.assign(field.nodes.size(), Vec3(0, 0, 0.001));
+        CancelledLater whole;
+        const DisplacementField there = fieldOnPart(field, transfer, whole);
+        QVERIFY(whole.fractions.size() > 1 && std::ranges::is_sorted(whole.fractions));
+        for (std::size_t i = 0; i < field.nodes.size(); i += 97)
+            QVERIFY(isNear(there.nodes[i], field.nodes[i], 1e-9)); // no place of another bracket
+        CancelledLater control(whole.asked / 2);
+        QVERIFY_THROWS_EXCEPTION(Cancelled, fieldOnPart(field, transfer, control));
     }
 
     void anotherPartIsRefused()

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,7 +50,8 @@ void RecipeDeformTest::partsAreBentByNumber()
     const RecipeDeformation read = only(
         R"({"kind": "bend", "body": "Bar", "origin_mm": [1, 2, 3], "axis": [2, 0, 0], "side": [1, 0, 2], "from_mm": 10,
                  "to_mm": 40, "angle_deg": 90, "neutral_mm": -1.5, "stays": 0.5, "eases": true})");
-    QCOMPARE(read.body, std::string("Bar"));
+    QCOMPARE(read.bodies, std::vector<std::string>{"Bar"});
+    QVERIFY(!read.kFactor && !read.isApart);
     const auto& bend = std::get<NumberDeformation>(read.what);
     QVERIFY(bend.kind == NumberKind::bend);
     QVERIFY((bend.origin - Vec3(0.001, 0.002, 0.003)).norm() < 1e-15);
@@ -82,7 +84,9 @@ void RecipeDeformTest::fieldsOfFilesAreNamed()
     QCOMPARE(field.choice.name, std::string("U"));
     QCOMPARE(field.choice.unit, std::string("inch"));
     QCOMPARE(field.factor, -1.0);
-    QCOMPARE(field.keptFaces, (std::vector<std::uint32_t>{4, 5}));
+    QCOMPARE(field.kept.size(), std::size_t{1});
+    QVERIFY(field.kept[0].body.empty());
+    QCOMPARE(field.kept[0].faces, (std::vector<std::uint32_t>{4, 5}));
     QCOMPARE(field.fade, 0.008);
     QVERIFY(!field.locked[0] && field.locked[1] && !field.locked[2]);
 }
@@ -102,18 +106,33 @@ void RecipeDeformTest::whatIsWrittenIsReadToTheBit()
             wanted.*parameter.value = 0.7312345678901234;
         if (!words.hasSide)
             wanted.side = wanted.axis.unitOrthogonal();
-        const RecipeDeformation back = only(written({"Bar", wanted}));
-        QCOMPARE(back.body, std::string("Bar"));
-        QVERIFY2(std::get<NumberDeformation>(back.what) == wanted, written({"Bar", wanted}).c_str());
+        const std::string text = written({.bodies = {"Bar"}, .what = wanted});
+        const RecipeDeformation back = only(text);
+        QCOMPARE(back.bodies, std::vector<std::string>{"Bar"});
+        QVERIFY2(std::get<NumberDeformation>(back.what) == wanted, text.c_str());
     }
-    RecipeField field{.file = "bar.stl", .choice = {.step = 2, .name = "U", .unit = "mm"}, .factor = -0.3};
-    field.keptFaces = {1, 7};
+    const NumberDeformation bend{.kind = NumberKind::bend, .to = 1.0 / 7, .angle = 0.3};
+    const RecipeDeformation sheet =
+        only(written({.bodies = {"Bar", "a/Bar"}, .what = bend, .kFactor = 1.0 / 3, .isApart = true}));
+    QCOMPARE(sheet.bodies, (std::vector<std::string>{"Bar", "a/Bar"}));
+    QCOMPARE(sheet.kFactor, std::optional(1.0 / 3));
+    QVERIFY(sheet.isApart && std::get<NumberDeformation>(sheet.what) == bend);
+    RecipeField field{
+        .file = "bar.stl", .choice = {.step = 2, .name = "U", .unit = "mm", .isInPlace = true}, .factor = -0.3};
     field.fade = 0.0033;
     field.locked = {true, false, true};
-    const auto back = std::get<RecipeField>(only(written({{}, field})).what);
-    QVERIFY(back.choice.step == field.choice.step && back.choice.name == field.choice.name);
-    QVERIFY(back.factor == field.factor && back.keptFaces == field.keptFaces && back.fade == field.fade);
-    QVERIFY(back.locked == field.locked);
+    for (const std::vector<KeptFaces>& kept :
+         {std::vector<KeptFaces>{{"", {1, 7}}}, std::vector<KeptFaces>{{"Lid", {1}}, {"Bar", {0, 2}}}}) {
+        field.kept = kept;
+        const RecipeDeformation read = only(written({.bodies = {}, .what = field, .isApart = true}));
+        const auto& back = std::get<RecipeField>(read.what);
+        QVERIFY(read.isApart && back.choice.isInPlace);
+        QVERIFY(back.choice.step == field.choice.step && back.choice.name == field.choice.name);
+        QVERIFY(back.factor == field.factor && back.fade == field.fade && back.locked == field.locked);
+        QVERIFY(std::ranges::equal(back.kept, kept, [](const KeptFaces& a, const KeptFaces& b) {
+            return a.body == b.body && a.faces == b.faces;
+        }));
+    }
 }
 
 void RecipeDeformTest::whatIsWrongIsNamed_data()
@@ -142,6 +161,15 @@ void RecipeDeformTest::whatIsWrongIsNamed_data()
         "deform[0].to_mm must be larger than from_mm.");
     row("a gentle fold", R"("kind": "stretch", "factor": 0.3, "eases": true, )" + planes,
         "deform[0] cannot be: A gentle stretch cannot shorten to less than 0.47");
+    row("a k factor of a twist", R"("kind": "twist", "angle_deg": 1, "k_factor": 0.4, )" + planes,
+        "deform[0].k_factor does not belong to the kind twist.");
+    row("a neutral plane twice",
+        R"("kind": "bend", "side": [0, 0, 1], "angle_deg": 1, "k_factor": 0.4, "neutral_mm": 1, )" + planes,
+        "deform[0] must have one of the keys neutral_mm and k_factor, or none.");
+    row("a large k factor", R"("kind": "bend", "side": [0, 0, 1], "angle_deg": 1, "k_factor": 1.4, )" + planes,
+        "deform[0].k_factor must be a number between 0 and 1, got 1.4");
+    row("no bodies", R"("kind": "twist", "body": [], "angle_deg": 1, )" + planes,
+        "deform[0].body must name at least one body.");
     row("kept without fading", R"("field": "bar.stl", "kept_faces": [1])",
         "deform[0] must have both of the keys kept_faces and fade_mm, or none.");
     row("no such file", R"("field": "no.frd")", "deform[0].field names a file that does not exist");

@@ -1,6 +1,7 @@
 #include "ui/deforming/deform_feature.h"
 
 #include "core/model/field_formats.h"
+#include "core/model/file_formats.h"
 #include "ui/commands/availability.h"
 #include "ui/commands/make_action.h"
 #include "ui/deforming/deform_panel.h"
@@ -41,20 +42,32 @@ QList<QAction*> makeKindActions(QWidget& window)
     return actions;
 }
 
+QStringList patternsOf(const std::vector<std::string>& endings)
+{
+    QStringList patterns;
+    for (const std::string& ending : endings)
+        patterns << "*." + QString::fromStdString(ending);
+    return patterns;
+}
+
 /// "CalculiX results (*.frd)", all together first.
 QStringList fieldFilters()
 {
     QStringList all;
     QStringList filters;
-    for (const FieldFormat& format : fieldFormats()) {
-        if (format.isMeshOnly)
-            continue;
-        QStringList patterns;
-        for (const std::string& ending : format.endings)
-            patterns << "*." + QString::fromStdString(ending);
+    const auto add = [&](const QString& name, const QStringList& patterns) {
         all << patterns;
-        filters << QStringLiteral("%1 (%2)").arg(said(format.name), patterns.join(' '));
-    }
+        filters << QStringLiteral("%1 (%2)").arg(name, patterns.join(' '));
+    };
+    for (const FieldFormat& format : fieldFormats())
+        if (!format.isMeshOnly)
+            add(said(format.name), patternsOf(format.endings));
+    add(DeformFeature::tr("Projects of Knead"), {"*.knead"});
+    QStringList scans;
+    for (const FileFormat& format : fileFormats)
+        if (format.isRead && !format.isSmooth)
+            scans << patternsOf(format.endingsRead());
+    add(DeformFeature::tr("Scans of the part"), scans);
     all.removeDuplicates();
     return QStringList(DeformFeature::tr("Fields (%1)").arg(all.join(' '))) + filters;
 }
@@ -85,7 +98,7 @@ DeformFeature::DeformFeature(const Workbench& bench, Modes& modes)
     bench.docks.add("deformDock", tr("Deform"), m_panel);
     connectActions(modes);
     connect(m_panel, &DeformPanel::applyClicked, this, &DeformFeature::apply);
-    connect(m_panel, &DeformPanel::cancelClicked, this, [this] { m_actions.deform->setChecked(false); });
+    connect(m_panel, &DeformPanel::cancelClicked, this, &DeformFeature::leave);
     connect(m_panel, &DeformPanel::beginClicked, this, [this] {
         if (m_actions.deform->isEnabled())
             m_actions.deform->setChecked(true);
@@ -104,12 +117,7 @@ DeformFeature::DeformFeature(const Workbench& bench, Modes& modes)
         if (m_actions.deform->isChecked() && !m_isByField && m_panel->numbers().isOfSelected())
             takeParts();
     });
-    connect(&bench.document, &Document::changed, this, [this](Document::Change what) {
-        const bool isOther =
-            what == Document::Change::Model || what == Document::Change::Moment || what == Document::Change::Filling;
-        if (isOther && m_actions.deform->isChecked())
-            m_actions.deform->setChecked(false);
-    });
+    connect(&bench.document, &Document::changed, this, &DeformFeature::follow);
 }
 
 void DeformFeature::connectActions(Modes& modes)
@@ -166,9 +174,42 @@ void DeformFeature::switchOn(bool on)
     takeParts();
 }
 
+void DeformFeature::leave()
+{
+    m_actions.deform->setChecked(false);
+}
+
+/// What was said is of the parts as they were when it began: it ends with time that runs, and with other parts.
+void DeformFeature::follow(Document::Change what)
+{
+    if (!m_actions.deform->isChecked())
+        return;
+    const bool isOther =
+        what == Document::Change::Model || what == Document::Change::Moment || what == Document::Change::Filling;
+    if (isOther || m_bench.document.isPlaying())
+        leave();
+    else if (what == Document::Change::Frame)
+        followFrame();
+}
+
+/// A step was made, say.
+void DeformFeature::followFrame()
+{
+    if (m_isByField) {
+        m_handles->showGhost(m_bench.document.frame());
+        return;
+    }
+    if (!m_form)
+        return; // it begins just now
+    m_subject.box = boxOfMeant();
+    m_surface = m_stage->surfaceOf(m_meant);
+    take(NumberForm(*m_form));
+}
+
 void DeformFeature::end()
 {
     m_isByField = false;
+    m_form.reset();
     m_byField->forget();
     m_stage->end();
     m_handles->hide();
@@ -183,12 +224,16 @@ MeantParts DeformFeature::meant() const
     return m_stage->selectedParts();
 }
 
+Box DeformFeature::boxOfMeant() const
+{
+    return m_meant.isAny() ? m_stage->boxOf(m_meant) : m_bench.document.content().box;
+}
+
 /// Other parts are meant: the planes are at their ends.
 void DeformFeature::takeParts()
 {
     m_meant = meant();
-    const bool isAny = m_meant.isAny();
-    m_subject = {isAny ? m_stage->boxOf(m_meant) : m_bench.document.content().box, m_normal, {}};
+    m_subject = {boxOfMeant(), m_normal, {}};
     m_surface = m_stage->surfaceOf(m_meant);
     m_form.reset();
     begin(m_kind);
@@ -245,18 +290,16 @@ void DeformFeature::apply()
 {
     if (!m_actions.deform->isChecked())
         return;
+    if (const QString problem = m_panel->problem(); !problem.isEmpty()) {
+        m_bench.notices.problem(problem);
+        return;
+    }
     if (m_isByField)
         return m_byField->apply();
     const NumberForm form = m_panel->numbers().form();
-    if (const std::optional<Message> problem = knead::whyNot(form, m_subject)) {
-        m_bench.notices.problem(said(*problem));
-        return;
-    }
-    if (!m_meant.isAny())
-        return;
-    m_stage->apply(
-        std::make_shared<const std::vector<Deformation>>(std::vector<Deformation>{deformationOf(form, m_subject)}),
-        verbOf(form.kind), nameOf(form));
+    const NumberDeformation deformation = deformationOf(form, m_subject);
+    m_stage->apply(std::make_shared<const std::vector<Deformation>>(std::vector<Deformation>{deformation}),
+                   {RecipeDeformation{.bodies = {}, .what = deformation}}, verbOf(form.kind), nameOf(form));
 }
 
 void DeformFeature::askForField()
@@ -277,6 +320,11 @@ void DeformFeature::beginField()
 {
     if (m_isByField && m_actions.deform->isChecked())
         return;
+    if (const std::optional<QString> why = whyNot()) {
+        m_byField->forget();
+        m_bench.notices.problem(*why);
+        return;
+    }
     if (m_actions.deform->isChecked()) {
         m_stage->end();
         m_handles->hide();

@@ -43,6 +43,8 @@ public:
     void openField(const QString& path);
     /// As Enter does.
     void apply();
+    /// As Esc does.
+    void leave();
 
 signals:
     void applied(const knead::ExportReport& report); ///< on the faces that were deformed
@@ -56,10 +58,13 @@ private:
     void beginField();
     void switchOn(bool on);
     void end();
+    void follow(Document::Change what);
+    void followFrame();
     void takeParts();
     void take(const NumberForm& now);
     void drag(DeformHandle handle, double value);
     MeantParts meant() const;
+    Box boxOfMeant() const;
     std::optional<Vec3> selectedNormal() const;
 
     Workbench m_bench;

@@ -79,10 +79,14 @@ void DeformHandles::setGhost(const FramePointer& ghost)
     if (std::exchange(m_ghost, ghost) == ghost)
         return;
     m_ghostBox = {};
-    if (m_ghost)
-        for (const auto& body : m_ghost->bodies)
-            for (const Vec3& place : body->places)
-                m_ghostBox.extend(place);
+    m_ghostEdges = 0;
+    if (!m_ghost)
+        return;
+    for (std::size_t b = 0; b < m_ghost->bodies.size(); ++b) {
+        m_ghostEdges += m_ghost->filled[b]->render.edges.size();
+        for (const Vec3& place : m_ghost->bodies[b]->places)
+            m_ghostBox.extend(place);
+    }
 }
 
 void DeformHandles::showGhost(const FramePointer& ghost)
@@ -233,11 +237,13 @@ QRect DeformHandles::overlayArea() const
 
 void DeformHandles::drawGhost(QPainter& painter) const
 {
+    if (m_ghostEdges > mostEdges)
+        return;
     const Projector project(m_view.camera(), m_view.window());
     QList<QLineF> lines;
     for (std::size_t b = 0; b < m_ghost->bodies.size(); ++b) {
         const RenderMesh& mesh = m_ghost->filled[b]->render;
-        if (m_view.options().hiddenParts.contains(m_ghost->filled[b]->part) || mesh.edges.size() > mostEdges)
+        if (m_view.options().hiddenParts.contains(m_ghost->filled[b]->part))
             continue;
         for (const auto& edge : mesh.edges) {
             const auto from = project(m_ghost->bodies[b]->point(edge[0]));

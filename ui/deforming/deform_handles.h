@@ -92,7 +92,8 @@ private:
     ViewOverlay* m_overlay;
     std::optional<DeformFrames> m_frames;
     FramePointer m_ghost;
-    Box m_ghostBox; ///< [m]
+    Box m_ghostBox;               ///< [m]
+    std::size_t m_ghostEdges = 0; ///< of all bodies
     DeformHandle m_lit = DeformHandle::none;
     std::optional<Drag> m_drag;
     QPointF m_cursor;

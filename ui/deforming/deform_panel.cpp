@@ -49,6 +49,7 @@ DeformPanel::DeformPanel(QWidget* parent)
     setRole(*m_apply, "primary");
     m_problem->setObjectName("deformProblem");
     m_problem->setWordWrap(true);
+    m_problem->setTextFormat(Qt::PlainText);
     m_problem->setContentsMargins(10, 4, 10, 0);
     setRole(*m_problem, "slow");
     auto* row = new QHBoxLayout(m_buttons);
@@ -80,6 +81,11 @@ void DeformPanel::showProblem(const QString& sentence)
     m_problem->setText(sentence);
     m_problem->setVisible(!sentence.isEmpty());
     m_apply->setEnabled(sentence.isEmpty());
+}
+
+QString DeformPanel::problem() const
+{
+    return m_problem->text();
 }
 
 } // namespace knead

@@ -25,6 +25,7 @@ public:
     void show(Page page);
     /// Why what is said cannot be done; empty: it can.
     void showProblem(const QString& sentence);
+    QString problem() const; ///< that is shown
 
 signals:
     void applyClicked();

@@ -1,11 +1,13 @@
 #include "ui/deforming/deform_preview.h"
 
+#include "core/deformation/field_map.h"
 #include "core/message/message.h"
 #include "ui/language/said.h"
 
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace knead {
@@ -35,6 +37,20 @@ private:
     double m_scale;
 };
 
+/// Null: it is not one by a field alone.
+const FieldDeformation* fieldIn(const std::vector<Deformation>& deformations)
+{
+    return deformations.size() == 1 ? std::get_if<FieldDeformation>(&deformations.front()) : nullptr;
+}
+
+/// @param earlier the map before; null: none
+std::shared_ptr<const SmoothMap> nextMap(const std::vector<Deformation>& deformations, const SmoothMap* earlier,
+                                         TaskControl& control)
+{
+    const FieldDeformation* field = fieldIn(deformations);
+    return field != nullptr ? fieldMap(*field, control, earlier) : mapOf(std::span(deformations), control);
+}
+
 } // namespace
 
 /// Between the window and the worker.
@@ -59,21 +75,37 @@ struct DeformPreview::Shared {
         wanted = std::move(request);
     }
 
-    DeformedFrame make(const PreviewRequest& request, TaskControl& control)
+    bool isOtherWanted(const PreviewRequest& than)
+    {
+        const std::lock_guard lock(mutex);
+        return wanted && wanted->deformations != than.deformations;
+    }
+
+    /// With whose map that of the request would be of no use.
+    bool isOtherFieldWanted(const PreviewRequest& than)
+    {
+        const std::lock_guard lock(mutex);
+        const FieldDeformation* field = fieldIn(*than.deformations);
+        const FieldDeformation* next = wanted ? fieldIn(*wanted->deformations) : field;
+        return field != nullptr && (next == nullptr || next->field != field->field);
+    }
+
+    /// @param making of a map
+    DeformedFrame make(const PreviewRequest& request, TaskControl& making, TaskControl& control)
     {
         if (deformations != request.deformations) {
-            map = mapOf(std::span(*request.deformations), control);
+            map = nextMap(*request.deformations, map.get(), making);
             deformations = request.deformations;
         }
-        if (request.scale == 1)
+        if (request.exaggeration == 1)
             return deformedFrame(request.from, *map, request.which, control);
-        return deformedFrame(request.from, ScaledMap(map, request.scale), request.which, control);
+        return deformedFrame(request.from, ScaledMap(map, request.exaggeration), request.which, control);
     }
 };
 
 namespace {
 
-/// Until all is forgotten. What was begun before another request is finished, so that something is seen during a long drag.
+/// Until all is forgotten. A frame that was begun before another request is finished, so that something is seen during a long drag.
 class UntilForgotten final : public TaskControl {
 public:
     explicit UntilForgotten(const std::atomic<std::uint64_t>& forgot)
@@ -88,6 +120,20 @@ public:
 private:
     const std::atomic<std::uint64_t>& m_forgot;
     const std::uint64_t m_begin;
+};
+
+/// Until something else holds.
+class Until final : public TaskControl {
+public:
+    explicit Until(std::function<bool()> holds)
+        : m_holds(std::move(holds))
+    {
+    }
+    void report(double /*fraction*/, std::string_view /*stage*/) override {}
+    bool isCancelled() const override { return m_holds(); }
+
+private:
+    std::function<bool()> m_holds;
 };
 
 } // namespace
@@ -109,6 +155,15 @@ void DeformPreview::forget()
     ++m_shared->forgot;
 }
 
+void DeformPreview::release()
+{
+    forget();
+    m_worker.run([shared = m_shared] {
+        shared->deformations.reset();
+        shared->map.reset();
+    });
+}
+
 void DeformPreview::ask(PreviewRequest request)
 {
     m_shared->replace(std::move(request));
@@ -117,11 +172,12 @@ void DeformPreview::ask(PreviewRequest request)
         const std::optional<PreviewRequest> wanted = shared->taken();
         if (!wanted)
             return;
+        Until making([&] { return control.isCancelled() || shared->isOtherFieldWanted(*wanted); });
         std::optional<DeformedFrame> frame;
         QString failure;
         const bool isNew = shared->deformations != wanted->deformations;
         try {
-            frame = shared->make(*wanted, control);
+            frame = shared->make(*wanted, making, control);
         } catch (const Cancelled&) {
             return;
         } catch (const std::exception& error) {
@@ -139,7 +195,8 @@ void DeformPreview::ask(PreviewRequest request)
         if (!isNew || !failure.isEmpty() || !wanted->examine)
             return;
         try {
-            wanted->examine(*shared->map, control);
+            Until examining([&] { return control.isCancelled() || shared->isOtherWanted(*wanted); });
+            wanted->examine(*shared->map, examining);
         } catch (const Cancelled&) {
         }
     });

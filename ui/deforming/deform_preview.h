@@ -16,15 +16,16 @@ namespace knead {
 /// What is to be looked at.
 struct PreviewRequest {
     std::shared_ptr<const std::vector<Deformation>> deformations; ///< at least one
-    double scale = 1;                                             ///< of all ways, to see more of them
+    double exaggeration = 1;                                      ///< of all ways, to see more of them
     std::vector<bool> which;                                      ///< per body; empty: all
     FramePointer from;                                            ///< what is deformed
-    /// Called on the thread of the preview with a map that is new, after its frame was made; may throw Cancelled. May be null.
+    /// Called on the thread of the preview with a map that is new, after its frame was made; may throw Cancelled, as it is to when
+    /// other deformations are asked for. May be null.
     std::function<void(const SmoothMap& map, TaskControl&)> examine = {};
 };
 
 /// Computes what deformations would make of surfaces on a thread of its own, always the newest that was asked for, so that the window
-/// never waits for a large part. Window thread.
+/// never waits for a large part. A field that was fitted once is not fitted again for another factor. Window thread.
 class DeformPreview final : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +33,8 @@ public:
     ~DeformPreview() override;
 
     void ask(PreviewRequest request);
-    void forget(); ///< nothing is made any more
+    void forget();  ///< nothing is made any more
+    void release(); ///< the same, and the map that was made last goes: that of a large field takes much memory
 
 signals:
     void made(const knead::DeformedFrame& frame);

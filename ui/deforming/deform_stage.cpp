@@ -27,6 +27,8 @@ DeformStage::DeformStage(const Workbench& bench)
         if (what == Document::Change::Frame && m_look)
             ask();
     });
+    connect(&bench.viewport, &ViewportWidget::optionsChanged, this, &DeformStage::followColors);
+    connect(&bench.tasks, &TaskRunner::finished, this, [this] { m_applying.clear(); });
 }
 
 MeantParts DeformStage::allParts() const
@@ -89,7 +91,7 @@ void DeformStage::look(Look look, bool isDragged)
 void DeformStage::ask()
 {
     m_preview->ask({.deformations = m_look->deformations,
-                    .scale = m_look->scale,
+                    .exaggeration = m_look->exaggeration,
                     .which = m_look->meant.bodies,
                     .from = m_bench.document.frame(),
                     .examine = m_look->examine});
@@ -106,10 +108,10 @@ void DeformStage::showFrame(const DeformedFrame& made)
         fields->values = made.ways;
         for (std::size_t b = 0; b < fields->values.size(); ++b)
             fields->values[b].resize(made.frame->filled[b]->mesh.vertices.size());
-        if (m_look->scale != 0)
+        if (m_look->exaggeration != 0)
             for (std::vector<float>& values : fields->values)
                 for (float& value : values)
-                    value /= static_cast<float>(std::abs(m_look->scale));
+                    value /= static_cast<float>(std::abs(m_look->exaggeration));
     }
     setColored(m_look->showsColors);
     m_bench.viewport.lookAhead(made.frame, fields, m_look->caption);
@@ -127,8 +129,23 @@ void DeformStage::setColored(bool on)
         m_colorsBefore = options.colors;
         options.colors.quantity = SurfaceQuantity::displacement;
         options.colors.range.reset();
-    } else
+    } else {
+        const ColorMap map = options.colors.map;
         options.colors = *std::exchange(m_colorsBefore, {});
+        options.colors.map = map;
+    }
+    m_bench.viewport.setOptions(options);
+}
+
+/// What a person has chosen meanwhile is shown at the end: the values of now are displacements.
+void DeformStage::followColors()
+{
+    SceneOptions options = m_bench.viewport.options();
+    if (!m_colorsBefore || options.colors.quantity == SurfaceQuantity::displacement)
+        return;
+    m_colorsBefore = options.colors;
+    options.colors.quantity = SurfaceQuantity::displacement;
+    options.colors.range.reset();
     m_bench.viewport.setOptions(options);
 }
 
@@ -138,11 +155,13 @@ void DeformStage::end()
         return;
     m_isHidden = false;
     showPresent();
+    m_preview->release();
+    if (!m_applying.isEmpty() && m_bench.tasks.title() == m_applying)
+        m_bench.tasks.cancel();
 }
 
 void DeformStage::showPresent()
 {
-    m_preview->forget();
     m_bench.viewport.lookAhead(nullptr, nullptr, {});
     setColored(false);
 }
@@ -157,16 +176,16 @@ void DeformStage::setHidden(bool on)
         ask();
 }
 
-void DeformStage::apply(std::shared_ptr<const std::vector<Deformation>> deformations, const QString& title,
-                        const Message& name)
+void DeformStage::apply(std::shared_ptr<const std::vector<Deformation>> deformations,
+                        std::vector<RecipeDeformation> said, const QString& title, const Message& name)
 {
     if (!m_look || m_bench.isBusy())
         return;
     m_bench.notices.hide();
     m_bench.document.pause();
-    m_bench.document.whenSettled([this, deformations = std::move(deformations), title, name] {
+    m_bench.document.whenSettled([this, deformations = std::move(deformations), said = std::move(said), title, name] {
         if (m_look && !m_bench.isBusy())
-            startApplying({deformations, m_look->meant.parts}, title, name);
+            startApplying({deformations, m_look->meant.parts, said}, title, name);
     });
 }
 
@@ -186,15 +205,17 @@ void DeformStage::startApplying(const DeformationRequest& request, const QString
         else
             finish(std::move(done), name);
     };
-    m_bench.tasks.run<PreparedDeformation>(title, work, finished);
+    if (m_bench.tasks.run<PreparedDeformation>(title, work, finished))
+        m_applying = title;
 }
 
 /// The document shows another model, with which the mode ends.
 void DeformStage::finish(PreparedDeformation done, const Message& name)
 {
     end();
-    m_bench.document.refill(std::move(done.prepared), name);
-    emit applied(done.report);
+    const ExportReport report = std::move(done.report);
+    m_bench.document.deform(std::move(done), name);
+    emit applied(report);
 }
 
 } // namespace knead

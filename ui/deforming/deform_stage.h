@@ -39,21 +39,22 @@ public:
         std::shared_ptr<const std::vector<Deformation>>
             deformations; ///< the same pointer as before: their map is still good
         MeantParts meant;
-        double scale = 1; ///< of all ways
+        double exaggeration = 1; ///< of all ways
         bool showsColors = false;
         QString caption;
         std::function<void(const SmoothMap& map, TaskControl&)> examine = {}; ///< see PreviewRequest
     };
     /// Shows what would come of it, as soon as that is known. Where all was seen before, all is then, unless a hand is dragging.
     void look(Look look, bool isDragged = false);
-    /// The view shows the present again.
+    /// The view shows the present again, and what is being applied is given up.
     void end();
     /// Meanwhile the view shows the present, in which something is selected.
     void setHidden(bool on);
 
     /// Deforms the parts that are looked at, in the background: they are written, read again and filled.
-    /// @param title of what is done @param name of the entry
-    void apply(std::shared_ptr<const std::vector<Deformation>> deformations, const QString& title, const Message& name);
+    /// @param said the same as a recipe says it; empty: it cannot @param title of what is done @param name of the entry
+    void apply(std::shared_ptr<const std::vector<Deformation>> deformations, std::vector<RecipeDeformation> said,
+               const QString& title, const Message& name);
 
 signals:
     void seen(const knead::DeformedFrame& frame); ///< the view shows it
@@ -65,6 +66,7 @@ private:
     void showFrame(const DeformedFrame& made);
     void showPresent();
     void setColored(bool on);
+    void followColors();
     void startApplying(const DeformationRequest& request, const QString& title, const Message& name);
     void finish(PreparedDeformation done, const Message& name);
 
@@ -74,6 +76,7 @@ private:
     bool m_isHidden = false;
     std::optional<ColorOptions> m_colorsBefore; ///< while others are shown
     bool m_wasAllSeen = false;                  ///< before the newest look
+    QString m_applying;                         ///< title of the task that does it; empty: none
 };
 
 } // namespace knead

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <tuple>
+#include <vector>
 
 namespace knead {
 
@@ -57,11 +56,15 @@ DisplacementField thinned(const DisplacementField& field, int along)
     if (box.isEmpty())
         return few;
     const double cell = std::max(box.sizes().maxCoeff() / along, 1e-12);
-    std::set<std::tuple<int, int, int>> taken;
+    const int stride = along + 1;
+    std::vector<bool> taken(static_cast<std::size_t>(stride) * stride *
+                            stride); // quick: there may be millions of nodes
     for (std::size_t i = 0; i < field.nodes.size(); ++i) {
-        const Eigen::Vector3i at = ((field.nodes[i] - box.min()) / cell).cast<int>();
-        if (!taken.emplace(at.x(), at.y(), at.z()).second)
+        const Eigen::Vector3i at = ((field.nodes[i] - box.min()) / cell).cast<int>().cwiseMin(along);
+        const auto cube = static_cast<std::size_t>((at.z() * stride + at.y()) * stride + at.x());
+        if (taken[cube])
             continue;
+        taken[cube] = true;
         few.nodes.push_back(field.nodes[i]);
         few.displacements.push_back(field.displacements[i]);
     }

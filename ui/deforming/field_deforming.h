@@ -2,6 +2,7 @@
 
 #include "core/deformation/field_fit.h"
 #include "core/model/field_file.h"
+#include "core/session/region.h"
 #include "ui/deforming/deform_stage.h"
 #include "ui/deforming/field_arrows.h"
 #include "ui/frame/workbench.h"
@@ -11,7 +12,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace knead {
 
@@ -36,7 +39,8 @@ signals:
 
 private:
     void read(const std::string& path, const FieldChoice& choice);
-    void take(FieldFile file);
+    void readAnew(const FieldChoice& choice);
+    void take(FieldFile file, bool isInPlace);
     void chooseKept(bool on);
     void keepSelected();
     void keepNothing();
@@ -45,19 +49,24 @@ private:
     std::function<void(const SmoothMap&, TaskControl&)> examiner();
     void showFit(const FieldFit& fit);
     void showSeen(const DeformedFrame& seen);
-    FieldDeformation deformation(double factor) const;
+    void sayFold();
+    QStringList warnings() const;
+    FieldDeformation deformation() const;
+    std::vector<RecipeDeformation> toldInRecipe() const;
 
     Workbench m_bench;
     DeformStage& m_stage;
     FieldPage& m_page;
     FieldArrows m_arrows;
-    std::string m_path;
-    std::string m_unit; ///< in which it was read
-    QStringList m_warnings;
-    std::shared_ptr<const DisplacementField> m_field; ///< null: none
-    TriangleMesh m_kept;                              ///< faces that stay [m]
-    std::size_t m_keptFaces = 0;
-    std::shared_ptr<const std::vector<Deformation>> m_whole; ///< with a factor of 1: what is looked at, scaled
+    FieldFile m_file;                                               ///< without its field
+    FieldChoice m_choice;                                           ///< that was read of it
+    QString m_reading;                                              ///< title of the task that does it; empty: none
+    std::shared_ptr<const DisplacementField> m_field;               ///< null: none
+    TriangleMesh m_kept;                                            ///< faces that stay [m]
+    Region m_keptFaces;                                             ///< the same by their numbers
+    std::shared_ptr<const std::vector<Deformation>> m_deformations; ///< what is looked at
+    std::optional<Vec3> m_seenFold; ///< where what is seen turns material inside out [m]
+    std::optional<Vec3> m_mapFold;  ///< where the map does at the surfaces [m]
 };
 
 } // namespace knead

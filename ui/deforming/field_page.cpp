@@ -1,5 +1,6 @@
 #include "ui/deforming/field_page.h"
 
+#include "core/model/field_formats.h"
 #include "core/model/length_units.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
@@ -27,6 +28,7 @@ QLabel* makeSentences(const char* name, const char* role, QWidget* parent)
     auto* label = new QLabel(parent);
     label->setObjectName(name);
     label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText); // names of files are in it
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setRole(*label, role);
     return label;
@@ -40,6 +42,7 @@ FieldPage::FieldPage(QWidget* parent)
     , m_step(makeChoice("fieldStep", this))
     , m_name(makeChoice("fieldName", this))
     , m_unit(makeChoice("fieldUnit", this))
+    , m_inPlace(new QCheckBox(tr("Lies where the part does"), this))
     , m_factor(makeField(Quantity::Number, "fieldFactor", this))
     , m_kept(new QLabel(this))
     , m_keep(new QPushButton(tr("Choose faces"), this))
@@ -57,6 +60,7 @@ FieldPage::FieldPage(QWidget* parent)
     form->addRow(tr("Step"), m_step);
     form->addRow(tr("Field"), m_name);
     form->addRow(tr("Unit"), m_unit);
+    form->addRow(m_inPlace);
     form->addRow(tr("Factor"), m_factor);
     auto* locks = new QHBoxLayout;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -90,6 +94,9 @@ FieldPage::FieldPage(QWidget* parent)
     m_file->setAccessibleName(tr("Field"));
     m_sentences->setAccessibleName(tr("Remarks"));
     m_kept->setObjectName("fieldKept");
+    m_inPlace->setObjectName("fieldInPlace");
+    m_inPlace->setToolTip(tr("Else the scan is laid over the part as a rigid thing first"));
+    connect(m_inPlace, &QCheckBox::clicked, this, [this] { emit choiceChanged(choice()); });
     m_keep->setObjectName("fieldKeep");
     m_keep->setCheckable(true);
     m_keep->setToolTip(tr("Click faces in the view that are to stay exactly where they are, then press this again"));
@@ -148,18 +155,22 @@ FieldChoice FieldPage::choice() const
         choice.step = static_cast<std::size_t>(m_step->currentIndex());
     choice.name = m_name->currentText().toStdString();
     choice.unit = m_unit->currentText().toStdString();
+    choice.isInPlace = !m_inPlace->isHidden() && m_inPlace->isChecked();
     return choice;
 }
 
-void FieldPage::show(const FieldFile& file)
+void FieldPage::show(const FieldFile& file, std::size_t nodes, bool isInPlace)
 {
     m_file->setText(tr("%1: %2, %3 nodes")
                         .arg(QFileInfo(QFile::decodeName(file.path.c_str())).fileName(),
-                             QString::fromStdString(file.format), formatCount(file.field.nodes.size())));
+                             QString::fromStdString(file.format), formatCount(nodes)));
     fill(m_step, file.steps, file.step);
-    const auto name = std::ranges::find(file.names, file.name);
-    fill(m_name, file.names, static_cast<std::size_t>(name - file.names.begin()));
+    const auto name = std::ranges::find(file.names, file.name); // a scan has none
+    fill(m_name, file.names, name == file.names.end() ? 0 : static_cast<std::size_t>(name - file.names.begin()));
     m_unit->setCurrentText(QString::fromStdString(file.unit));
+    m_unit->setEnabled(file.format != projectFormat);
+    m_inPlace->setVisible(file.format == scanFormat);
+    m_inPlace->setChecked(isInPlace);
     m_factor->setValue(m_form.factor);
     m_fade->setValue(m_form.fade);
     m_exaggeration->setValue(m_form.exaggeration);

@@ -33,7 +33,8 @@ class FieldPage final : public QWidget {
 public:
     explicit FieldPage(QWidget* parent = nullptr);
 
-    void show(const FieldFile& file);                 ///< begins with it
+    /// Begins with it. @param nodes of its field, which need not be in it @param isInPlace of a scan: whether it lies where the part does
+    void show(const FieldFile& file, std::size_t nodes, bool isInPlace);
     void showSentences(const QStringList& sentences); ///< that a person should know
     void showKept(std::size_t faces);                 ///< that stay
     void showLargest(double way);                     ///< of what is looked at, without exaggeration [m]
@@ -57,6 +58,7 @@ private:
     QComboBox* m_step;
     QComboBox* m_name;
     QComboBox* m_unit;
+    QCheckBox* m_inPlace;
     QuantityField* m_factor;
     QLabel* m_kept;
     QPushButton* m_keep;

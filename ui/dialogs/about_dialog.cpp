@@ -71,6 +71,7 @@ QWidget* AboutDialog::makeHead()
                "conceptual design system</i>, 2000."),
         head);
     text->setObjectName("aboutText");
+    text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row->addWidget(sign, 0, Qt::AlignTop);

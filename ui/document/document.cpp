@@ -88,6 +88,7 @@ void Document::open(PreparedModel prepared)
     m_whenSettled.clear();
     m_playback.forget();
     m_opened = content->model;
+    ++m_opening;
     beginFixtures(prepared);
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.script)},
                     std::move(prepared.first),
@@ -99,6 +100,18 @@ void Document::open(PreparedModel prepared)
 }
 
 void Document::refill(PreparedModel prepared, const Message& name)
+{
+    showInstead(std::move(prepared), name, {});
+}
+
+void Document::deform(PreparedDeformation done, const Message& name)
+{
+    m_carried = &done.carried;
+    showInstead(std::move(done.prepared), name, std::move(done.said));
+    m_carried = nullptr;
+}
+
+void Document::showInstead(PreparedModel prepared, const Message& name, std::vector<RecipeDeformation> said)
 {
     const auto content = std::make_shared<const FilledModel>(std::move(prepared.content));
     if (!isGoing())
@@ -115,8 +128,10 @@ void Document::refill(PreparedModel prepared, const Message& name)
     m_fixtures.follow(*content, held);
     const QString spacing = formatQuantity(content->spacing, Quantity::Length);
     ProjectStart next = startOf(*content, std::move(prepared.scene));
-    if (content->model != m_opened)
+    if (content->model != m_opened) {
         next.model = content->model;
+        next.deformations = deformationsUntil(m_history.starts()[m_start].start, next.model, std::move(said));
+    }
     m_history.expectStart({std::move(next), content}, std::move(prepared.first),
                           name.empty() ? Message("Document", "Refill %1").with(spacing.toStdString()) : name);
     m_start = static_cast<std::uint32_t>(m_history.starts().size() - 1);
@@ -134,6 +149,7 @@ void Document::open(PreparedProject prepared)
     }
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
     m_opened = project.model;
+    ++m_opening;
     m_start = m_history.tree().record(project.current).start;
     m_history.setModel(m_start, destination.content);
     start(std::move(*destination.simulation), destination.content, std::move(destination.frame));
@@ -165,6 +181,7 @@ void Document::close()
     nothing->box = m_content->box;
     m_content = std::move(nothing);
     m_opened = nullptr;
+    ++m_opening;
     m_frame = std::make_shared<const Frame>(Frame{.snapshot = std::make_shared<const Snapshot>()});
     m_seen = nullptr;
     ++m_generation;

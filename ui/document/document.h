@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/deformed_start.h"
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
 #include "core/session/part_appearance.h"
@@ -69,6 +70,8 @@ public:
 
     bool isEmpty() const { return m_content->isEmpty(); }
     const FilledModel& content() const { return *m_content; }
+    /// The model that was opened, also after it was deformed: another one begins another document. None: null.
+    const std::shared_ptr<const Model>& opened() const { return m_opened; }
     /// The newest frame; null before anything was opened, and without bodies and tools after it was closed.
     const FramePointer& frame() const { return m_frame; }
     const Selection& selection() const { return m_selection; }
@@ -76,8 +79,14 @@ public:
 
     /// Shows another content with its simulation, paused at its start: a new document, with a history of its own.
     void open(PreparedModel prepared);
-    /// Shows the same model filled anew, or what a deformation made of it: the next entry of the history.
+    /// Shows the same model filled anew: the next entry of the history.
     void refill(PreparedModel prepared, const Message& name = {});
+    /// Shows what a deformation has made of the parts: the next entry of the history.
+    void deform(PreparedDeformation done, const Message& name);
+    /// While Change::Model tells of a deformation: where it took the surfaces that were shown. Null else.
+    const CarriedSurfaces* carried() const { return m_carried; }
+    /// Counts documents: another number, another document.
+    std::uint64_t opening() const { return m_opening; }
     /// Shows a project at its current entry.
     /// @throws Problem when its entries do not form a tree; nothing has changed
     void open(PreparedProject prepared);
@@ -278,6 +287,7 @@ private:
 
     void start(Simulation simulation, std::shared_ptr<const FilledModel> content, FramePointer frame,
                std::unique_ptr<ScriptedEvents> script = nullptr);
+    void showInstead(PreparedModel prepared, const Message& name, std::vector<RecipeDeformation> said);
     void keepFilm();
     void followFillings();
     void showStart();
@@ -382,7 +392,9 @@ private:
     std::unique_ptr<SimulationThread> m_simulation; // gone before the history, which it tells of gestures
     std::unique_ptr<FramePreparer> m_preparer;
     std::vector<std::future<void>> m_retiring; ///< earlier simulations on their way out
-    std::shared_ptr<const Model> m_opened;     ///< that the document was opened with; later starts may have another
+    std::uint64_t m_opening = 0;               ///< see opening()
+    const CarriedSurfaces* m_carried = nullptr;
+    std::shared_ptr<const Model> m_opened; ///< that the document was opened with; later starts may have another
 };
 
 } // namespace knead

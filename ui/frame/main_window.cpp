@@ -24,6 +24,7 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
+#include "ui/plain_texts.h"
 #include "ui/project/project_keeper.h"
 #include "ui/theme.h"
 #include "ui/viewport/view_grid.h"
@@ -62,6 +63,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     , m_modes(new Modes(this))
     , m_docks(*this)
 {
+    showTextsAsTheyStand();
     m_document.setTasks(&m_tasks);
     m_document.history().setPacking(m_services.packing);
     setObjectName("mainWindow");
@@ -271,6 +273,8 @@ void MainWindow::connectActions()
     connect(qApp, &QApplication::focusChanged, this, &MainWindow::showHint); // keys drive in the view only
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
     connect(m_center, &Center::turned, this, &MainWindow::showHint);
+    connect(m_timeline, &TimelinePanel::looked, m_features->deforming,
+            &DeformFeature::leave); // before the past is shown
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
 }
 

@@ -89,6 +89,7 @@ QString pageOfPlace(const QString& name)
         {"recipeDialog", "recipes"},
         {"otherPartDialog", "revisions"},
         {"otherPartBox", "revisions"},
+        {"otherPartOptions", "revisions"},
         {"preferencesDialog", "preferences"},
         {"recordDialog", "history"},
         {"recordFileDialog", "history"},

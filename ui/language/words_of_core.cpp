@@ -80,6 +80,7 @@ namespace {
                                                       QT_TRANSLATE_NOOP("Stage", "fitting the field"),
                                                       QT_TRANSLATE_NOOP("Stage", "comparing the field with the parts"),
                                                       QT_TRANSLATE_NOOP("Stage", "placing the scan"),
+                                                      QT_TRANSLATE_NOOP("Stage", "finding the faces again"),
                                                       QT_TRANSLATE_NOOP("Stage", "comparing the scan with the part"),
                                                       QT_TRANSLATE_NOOP("Stage", "fitting walls"),
                                                       QT_TRANSLATE_NOOP("Stage", "looking for crossings"),

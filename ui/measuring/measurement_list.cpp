@@ -59,13 +59,51 @@ void MeasurementList::clear()
 void MeasurementList::contentChanged()
 {
     const FilledModel& content = m_document.content();
-    const bool isSame = content.model == m_model;
-    const FilledBodies before = std::exchange(m_bodies, content.bodies);
-    m_model = content.model;
-    if (!isSame)
+    if (std::exchange(m_opening, m_document.opening()) != m_document.opening()) {
+        m_kept.clear();
+        m_bodies = content.bodies;
+        m_model = content.model;
         return clear();
-    m_all = carriedOver(m_all, before, m_bodies);
+    }
+    const std::shared_ptr<const Model> shown = std::exchange(m_model, content.model);
+    if (m_model != shown)
+        keepFor(shown);
+    const FilledBodies before = std::exchange(m_bodies, content.bodies);
+    if (m_model == shown)
+        m_all = carriedOver(m_all, before, m_bodies);
+    else if (const CarriedSurfaces* carried = m_document.carried())
+        m_all = carriedOver(m_all, before, *carried, m_bodies);
+    else
+        bringBack();
     emit changed();
+}
+
+/// For whoever comes back to these parts. @pre m_bodies are theirs
+void MeasurementList::keepFor(const std::shared_ptr<const Model>& model)
+{
+    std::vector<Kept>& kept = m_kept[model];
+    kept.clear();
+    for (const Measurement& measurement : m_all) {
+        kept.push_back({measurement, {}});
+        for (const SkinPlace& place : measurement.places)
+            kept.back().places.push_back(restPlace(place, m_bodies));
+    }
+}
+
+void MeasurementList::bringBack()
+{
+    m_all.clear();
+    for (const Kept& kept : m_kept[m_model]) {
+        Measurement measurement = kept.measurement;
+        bool isThere = true;
+        for (std::size_t i = 0; i < kept.places.size(); ++i) {
+            const auto place = placeNear(kept.places[i], m_bodies);
+            isThere = isThere && place;
+            measurement.places[i] = place.value_or(measurement.places[i]);
+        }
+        if (isThere)
+            m_all.push_back(std::move(measurement));
+    }
 }
 
 /// Bodies that have come apart have other triangles.
@@ -79,14 +117,17 @@ void MeasurementList::followSurfaces()
     emit changed();
 }
 
-std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const FilledBodies& before,
-                                     const FilledBodies& after)
+namespace {
+
+/// @param carry a place, or none
+template <class Carry>
+std::vector<Measurement> withPlaces(const std::vector<Measurement>& measurements, const Carry& carry)
 {
     std::vector<Measurement> kept;
     for (Measurement measurement : measurements) {
         bool isThere = true;
         for (SkinPlace& place : measurement.places) {
-            const auto carried = carriedOver(place, before, after);
+            const std::optional<SkinPlace> carried = carry(place);
             isThere = isThere && carried;
             place = carried.value_or(place);
         }
@@ -94,6 +135,20 @@ std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurement
             kept.push_back(std::move(measurement));
     }
     return kept;
+}
+
+} // namespace
+
+std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const FilledBodies& before,
+                                     const FilledBodies& after)
+{
+    return withPlaces(measurements, [&](const SkinPlace& place) { return carriedOver(place, before, after); });
+}
+
+std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const FilledBodies& before,
+                                     const CarriedSurfaces& carried, const FilledBodies& after)
+{
+    return withPlaces(measurements, [&](const SkinPlace& place) { return carriedOver(place, before, carried, after); });
 }
 
 QString csvOf(const std::vector<Measurement>& measurements, const std::vector<Measured>& results)

@@ -1,5 +1,6 @@
 #include "ui/panels/model_tree.h"
 
+#include "core/model/part_tree.h"
 #include "ui/panels/model_tree_delegate.h"
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
@@ -84,12 +85,17 @@ void ModelTree::documentChanged(Document::Change what)
     showSelection();
 }
 
-/// What is hidden of a model stays so when it is filled anew.
+/// What is hidden of a model stays so when it is filled anew, or deformed.
 void ModelTree::beginContent()
 {
-    if (std::exchange(m_model, m_document.content().model) != m_document.content().model) {
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.content().model);
+    if (std::exchange(m_opening, m_document.opening()) != m_document.opening() || !before) {
         m_hiddenParts = m_document.content().hiddenAtFirst();
         m_hiddenBefore.reset();
+    } else {
+        m_hiddenParts = stillHidden(m_hiddenParts, *before, *m_model);
+        if (m_hiddenBefore)
+            m_hiddenBefore = stillHidden(*m_hiddenBefore, *before, *m_model);
     }
     m_regionOfSet = m_regionBefore = {};
     build();

@@ -139,7 +139,8 @@ private:
     Region m_regionOfSet;  ///< that was selected last by its line
     Region m_regionBefore; ///< selected when the mouse went down
     bool m_isUpdating = false;
-    bool m_isOnButton = false; ///< the mouse went down on an eye or a lock
+    bool m_isOnButton = false;   ///< the mouse went down on an eye or a lock
+    std::uint64_t m_opening = 0; ///< of the document that was shown last
 };
 
 /// What a line names, for Document::select().

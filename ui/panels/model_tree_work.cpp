@@ -96,8 +96,8 @@ void ModelTree::colorSelected()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     dialog->setWindowTitle(parts.size() == 1 ? tr("Color of the part") : tr("Color of %1 parts").arg(parts.size()));
-    connect(dialog, &QColorDialog::colorSelected, this, [this, parts, model = m_model](const QColor& color) {
-        if (model != m_document.content().model) // another part was opened meanwhile
+    connect(dialog, &QColorDialog::colorSelected, this, [this, parts, opening = m_opening](const QColor& color) {
+        if (opening != m_document.opening()) // another part was opened meanwhile
             return;
         for (const std::size_t part : parts)
             m_document.colorPart(part, colorOf(color));

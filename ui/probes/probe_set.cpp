@@ -117,16 +117,41 @@ void ProbeSet::followBodies()
 void ProbeSet::contentChanged()
 {
     const FilledModel& content = m_document.content();
-    const bool isSame = std::exchange(m_model, content.model) == content.model;
-    const FilledBodies before = std::exchange(m_bodies, content.bodies);
-    if (!isSame)
+    if (std::exchange(m_opening, m_document.opening()) != m_document.opening()) {
+        m_kept.clear();
+        m_model = content.model;
+        m_bodies = content.bodies;
         return clear();
+    }
+    const std::shared_ptr<const Model> shown = std::exchange(m_model, content.model);
+    if (m_model != shown)
+        keepFor(shown);
+    const FilledBodies before = std::exchange(m_bodies, content.bodies);
     std::vector<Probe> kept;
-    for (const Probe& probe : m_all)
-        if (const auto place = carriedOver(probe.place, before, m_bodies))
+    const auto keep = [&kept](const Probe& probe, const std::optional<SkinPlace>& place) {
+        if (place)
             kept.push_back({*place, probe.number, probe.color, {}});
+    };
+    if (m_model == shown)
+        for (const Probe& probe : m_all)
+            keep(probe, carriedOver(probe.place, before, m_bodies));
+    else if (const CarriedSurfaces* carried = m_document.carried())
+        for (const Probe& probe : m_all)
+            keep(probe, carriedOver(probe.place, before, *carried, m_bodies));
+    else
+        for (const Kept& earlier : m_kept[m_model])
+            keep(earlier.probe, placeNear(earlier.place, m_bodies));
     m_all = std::move(kept);
     placesChanged();
+}
+
+/// For whoever comes back to these parts. @pre m_bodies are theirs
+void ProbeSet::keepFor(const std::shared_ptr<const Model>& model)
+{
+    std::vector<Kept>& kept = m_kept[model];
+    kept.clear();
+    for (const Probe& probe : m_all)
+        kept.push_back({{probe.place, probe.number, probe.color, {}}, restPlace(probe.place, m_bodies)});
 }
 
 void ProbeSet::add(const SkinPlace& place)

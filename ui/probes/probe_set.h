@@ -8,6 +8,9 @@
 #include <QObject>
 
 #include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,7 +25,7 @@ struct Probe {
 };
 
 /// The probes of the open document. They read what time brings, and of what was before them what the film has kept. Where one
-/// goes back, they forget what came after. Readings are taken on a thread of their own, always of the newest frame.
+/// goes back, they forget what came after. Where parts are deformed they go along, and who takes that back finds those of before again. Readings are taken on a thread of their own, always of the newest frame.
 /// Window thread only.
 class ProbeSet final : public QObject {
     Q_OBJECT
@@ -50,8 +53,14 @@ signals:
     void sampled();
 
 private:
+    struct Kept {
+        Probe probe; ///< without samples
+        RestPlace place;
+    };
+
     void documentChanged(Document::Change what);
     void contentChanged();
+    void keepFor(const std::shared_ptr<const Model>& model);
     void followBodies();
     void findPlaces();
     void placesChanged();
@@ -68,6 +77,8 @@ private:
     bool m_withStrains = false;
     std::shared_ptr<const Model> m_model;
     FilledBodies m_bodies;
+    std::uint64_t m_opening = 0;
+    std::map<std::shared_ptr<const Model>, std::vector<Kept>> m_kept; ///< by the parts that were shown then
     std::vector<ProbePlace> m_places;
     std::uint64_t m_generation = 0;            ///< of the places; readings of earlier ones are dropped
     std::atomic<std::uint64_t> m_readings = 0; ///< readings of the film that began; only the last one goes on

@@ -5,6 +5,7 @@
 #include "ui/commands/make_action.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/format_filters.h"
+#include "ui/dialogs/other_part_dialog.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
 #include "ui/project/encoded_path.h"
@@ -72,26 +73,36 @@ void OtherPartFeature::ask()
                                 .title = tr("Apply to another part"),
                                 .filters = QStringList(tr("Parts (%1)").arg(patternsToRead())) + filtersToRead(),
                                 .key = "folder"};
-    askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { applyTo(paths.front()); });
+    askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { askAbout(paths.front()); });
 }
 
-void OtherPartFeature::applyTo(const QString& path)
+void OtherPartFeature::askAbout(const QString& path)
+{
+    if (m_bench.document.isEmpty())
+        return;
+    auto* dialog = new OtherPartDialog(QFileInfo(path).fileName(), &m_bench.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path] { applyTo(path, dialog->options()); });
+    dialog->open();
+}
+
+void OtherPartFeature::applyTo(const QString& path, const TransferOptions& options)
 {
     if (m_bench.document.isEmpty() || m_bench.isBusy())
         return;
     m_bench.notices.hide();
-    m_bench.document.whenSettled([this, path] { find(path); });
+    m_bench.document.whenSettled([this, path, options] { find(path, options); });
 }
 
 /// All that was done has become part of the history.
-void OtherPartFeature::find(const QString& path)
+void OtherPartFeature::find(const QString& path, const TransferOptions& options)
 {
     const QString name = QFileInfo(path).fileName();
     const auto work = [apply = m_bench.services.recipes.apply, path, name, project = m_bench.document.project(),
-                       saved = m_projects.keeper().path()](TaskControl& control) {
+                       saved = m_projects.keeper().path(), options](TaskControl& control) {
         constexpr double foundShare = 0.8; // of the progress
         TaskPortion finding(control, 0, foundShare);
-        AppliedPart applied = apply(encoded(path), project, encoded(saved), finding);
+        AppliedPart applied = apply(encoded(path), project, encoded(saved), options, finding);
         TaskPortion preparing(control, foundShare, 1);
         return Found{name, std::move(applied.report),
                      std::make_shared<PreparedModel>(prepareRecipe(std::move(applied.start), preparing))};

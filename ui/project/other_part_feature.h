@@ -21,13 +21,15 @@ public:
     QAction* action() const { return m_action; }
 
     /// Finds the faces of the open part again on that of a file, shows what was found and offers to open it.
-    void applyTo(const QString& path);
+    void applyTo(const QString& path, const TransferOptions& options = {});
+    /// Asks how that part follows from the open one first.
+    void askAbout(const QString& path);
 
 private:
     struct Found;
 
     void ask();
-    void find(const QString& path);
+    void find(const QString& path, const TransferOptions& options);
     void show(const Found& found);
     void open(const Found& found);
 

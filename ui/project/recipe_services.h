@@ -2,8 +2,8 @@
 
 #include "core/document/project.h"
 #include "core/message/message.h"
+#include "core/session/part_transfer.h"
 #include "core/session/recipe_start.h"
-#include "core/session/transferred_recipe.h"
 #include "core/simulation/scripted_events.h"
 #include "core/task/task_control.h"
 
@@ -33,7 +33,8 @@ struct RecipeServices {
 
     /// What was done in a project, for the part of another file.
     /// @param projectPath as above
-    std::function<AppliedPart(const std::string& part, const Project&, const std::string& projectPath, TaskControl&)>
+    std::function<AppliedPart(const std::string& part, const Project&, const std::string& projectPath,
+                              const TransferOptions& options, TaskControl&)>
         apply;
 };
 

@@ -233,8 +233,8 @@ void ViewGrid::contentChanged()
     if (m_box.isEmpty() || !m_box.isApprox(box))
         m_areFitted.fill(false);
     m_box = box;
-    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.content().model);
-    if (before != nullptr && before != m_model) { // how the last part was turned says nothing of another one
+    const std::shared_ptr<const Model> before = std::exchange(m_opened, m_document.opened());
+    if (before != nullptr && before != m_opened) { // how the last part was turned says nothing of another one
         m_areFitted.fill(false);
         for (const ViewSlot slot : allViewSlots) {
             Camera turned = cameraToBe(slot);

@@ -102,8 +102,8 @@ private:
     std::array<ViewName*, viewSlots> m_names{};
     std::array<Camera, viewSlots> m_cameras; ///< of views that are not shown
     std::array<bool, viewSlots> m_areFitted{};
-    std::shared_ptr<const Model> m_model; ///< that was opened
-    Box m_box;                            ///< of the content that was fitted to [m]
+    std::shared_ptr<const Model> m_opened; ///< see Document::opened()
+    Box m_box;                             ///< of the content that was fitted to [m]
     ViewCells::Lines m_dragged;
     QTimer m_turn; ///< of side views to draw
     std::size_t m_lastDrawn = 0;

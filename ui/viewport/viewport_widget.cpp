@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport_widget.h"
 
+#include "core/model/part_tree.h"
 #include "ui/viewport/pixel_of.h"
 #include "ui/viewport/region_overlay.h"
 #include "ui/viewport/surface_field_overlay.h"
@@ -97,8 +98,10 @@ void ViewportWidget::beginContent()
         m_options.divider.reset();
     }
     m_restBox = box;
-    if (std::exchange(m_model, m_document.content().model) != m_document.content().model)
-        m_options.hiddenParts = m_document.content().hiddenAtFirst();
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.content().model);
+    const bool isSame = std::exchange(m_opening, m_document.opening()) == m_document.opening();
+    m_options.hiddenParts =
+        isSame && before ? stillHidden(m_options.hiddenParts, *before, *m_model) : m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
     m_scene->setModel(m_document.content());
     m_scene->setAppearance(m_document.appearance());

@@ -180,6 +180,7 @@ private:
     ForceLabels m_labels{this};
     std::map<const QObject*, Insets> m_taken; ///< by what lies there
     SurfaceFieldsPointer m_foretold; ///< of m_past, where that is still to come; null: what the options ask for
+    std::uint64_t m_opening = 0;     ///< of the document that was shown last
 };
 
 } // namespace knead
