@@ -2,6 +2,7 @@
 #include "support/bracket_files.h"
 
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/project_field.h"
 #include "core/geometry/refine.h"
 #include "core/geometry/surface_distance.h"
@@ -69,8 +70,8 @@ std::pair<double, double> distanceOfDents(const std::string& one, const std::str
     double sum = 0;
     double count = 0;
     for (const Vec3& vertex : mesh.vertices) {
-        if ((vertex - pressed).norm() > 2 * radius || vertex.z() < pressed.z() / 4)
-            continue;
+        if ((vertex - pressed).head<2>().norm() > 1.2 * radius || vertex.z() < pressed.z() / 4)
+            continue; // the wall is not far, and does not shift as the dent does
         const double distance = surface.nearest(map(vertex)).distance;
         largest = std::max(largest, distance);
         sum += distance;
@@ -95,13 +96,13 @@ class ApplyCommandTest : public QObject {
 private slots:
     void initTestCase()
     {
-        setCadProgram(KNEAD_PROGRAM);
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         writeBracket(m_shop.path("old.step"), {});
         writeBracket(m_shop.path("new.step"), {.foot = 55, .footHole = 3.5, .wallHole = 3});
         writeBracket(m_shop.path("left.step"), {.isMirrored = true});
         writeBracket(m_shop.path("large.step"), {.scale = 2});
         writeProject(m_shop.path("session.knead"), pressedBracket(m_shop.path("old.step")));
-        const Outcome outcome = workshop::knead(
+        const Outcome outcome = workshop::runKnead(
             {"replay", m_shop.qPath("session.knead"), "--from-moments", "--export", m_shop.qPath("old-pressed.step")});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         // There is a dent that somebody could miss.
@@ -151,9 +152,9 @@ private slots:
         double last = 0; // of its events
         for (const json& event : recipe.at("events"))
             last = std::max(last, event.value("time_s", 0.0));
-        const Outcome outcome =
-            workshop::knead({"run", m_shop.qPath("large.recipe.json"), "--out", m_shop.qPath("large"), "--set",
-                             QString("duration_s=%1").arg(1.01 * last, 0, 'g', 17), "--set", "exports=[]", "--json"});
+        const Outcome outcome = workshop::runKnead(
+            {"run", m_shop.qPath("large.recipe.json"), "--out", m_shop.qPath("large"), "--set",
+             QString("duration_s=%1").arg(1.01 * last, 0, 'g', 17), "--set", "exports=[]", "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         QVERIFY(json::parse(outcome.out).at("tools").size() == 1);
     }
@@ -177,19 +178,21 @@ private slots:
     void whatIsNotThereIsSaid()
     {
         const QString session = m_shop.qPath("session.knead");
-        QCOMPARE(workshop::knead({"apply", session, m_shop.qPath("new.step")}).status, 2);
-        QCOMPARE(workshop::knead({"apply", m_shop.qPath("old.step"), m_shop.qPath("new.step"), "-o", "x"}).status, 2);
-        QCOMPARE(workshop::knead({"apply", session, m_shop.qPath("none.step"), "-o", m_shop.qPath("x")}).status, 2);
-        QCOMPARE(workshop::knead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--mirror", "q"}).status, 2);
-        QCOMPARE(workshop::knead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--scale", "0"}).status, 2);
-        QCOMPARE(workshop::knead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--entry", "9"}).status, 2);
+        QCOMPARE(workshop::runKnead({"apply", session, m_shop.qPath("new.step")}).status, 2);
+        QCOMPARE(workshop::runKnead({"apply", m_shop.qPath("old.step"), m_shop.qPath("new.step"), "-o", "x"}).status,
+                 2);
+        QCOMPARE(workshop::runKnead({"apply", session, m_shop.qPath("none.step"), "-o", m_shop.qPath("x")}).status, 2);
+        QCOMPARE(workshop::runKnead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--mirror", "q"}).status,
+                 2);
+        QCOMPARE(workshop::runKnead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--scale", "0"}).status, 2);
+        QCOMPARE(workshop::runKnead({"apply", session, m_shop.qPath("new.step"), "-o", "x", "--entry", "9"}).status, 2);
     }
 
 private:
     json applied(const QStringList& arguments)
     {
         QStringList all{"apply", m_shop.qPath("session.knead"), m_shop.qPath(arguments[0].toStdString())};
-        const Outcome outcome = workshop::knead(all + arguments.mid(1) + QStringList{"--json"});
+        const Outcome outcome = workshop::runKnead(all + arguments.mid(1) + QStringList{"--json"});
         if (outcome.status != 0)
             qWarning("%s", outcome.errors.c_str());
         return outcome.status == 0 ? json::parse(outcome.out) : json();
@@ -201,8 +204,8 @@ private:
         const auto [largest, mean] = distanceOfDents(m_shop.path("old-pressed.step"), m_shop.path(file), map);
         const QString said =
             QString("%1 mm, mean %2 mm of %3 mm").arg(1000 * largest).arg(1000 * mean).arg(1000 * m_dentMean);
-        QVERIFY2(largest < spacing, qPrintable(said));
-        QVERIFY2(mean < 0.7 * m_dentMean, qPrintable(said)); // it moves a little with the longer foot
+        QVERIFY2(largest < spacing / 2, qPrintable(said));
+        QVERIFY2(mean < 0.2 * m_dentMean, qPrintable(said));
         qInfo("%s: %s", file.c_str(), qPrintable(said));
     }
 

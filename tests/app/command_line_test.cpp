@@ -35,7 +35,7 @@ void CommandLineTest::helpExistsEverywhere()
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);
-        const Outcome outcome = knead(arguments);
+        const Outcome outcome = runKnead(arguments);
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.out.find("Usage:") != std::string::npos, command);
         QVERIFY2(outcome.errors.empty(), outcome.errors.c_str());
@@ -44,9 +44,19 @@ void CommandLineTest::helpExistsEverywhere()
 
 void CommandLineTest::versionIsPrinted()
 {
-    const Outcome outcome = knead({"--version"});
+    const Outcome outcome = runKnead({"--version"});
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.out.starts_with("knead 0."), outcome.out.c_str());
+    QCOMPARE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+    for (const QStringList& arguments :
+         {QStringList{"--version", "--verbose"}, QStringList{"--verbose", "--version"}}) {
+        const Outcome verbose = runKnead(arguments);
+        QCOMPARE(verbose.status, 0);
+        QVERIFY(verbose.out.starts_with(outcome.out));
+        for (const char* word :
+             {"OpenCASCADE ", "\nReader of files: ", "knead-cad-worker\n", "\nLandlock: ", "\nseccomp: "})
+            QVERIFY2(verbose.out.find(word) != std::string::npos, verbose.out.c_str());
+    }
 }
 
 void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
@@ -79,7 +89,7 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
 void CommandLineTest::wrongUseEndsWithTwoAndOneSentence()
 {
     QFETCH(QStringList, arguments);
-    const Outcome outcome = knead(arguments);
+    const Outcome outcome = runKnead(arguments);
     QCOMPARE(outcome.status, 2);
     QVERIFY2(outcome.errors.starts_with("knead: "), outcome.errors.c_str());
     QCOMPARE(lineCount(outcome.errors), std::size_t(1));
@@ -89,7 +99,7 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence()
 void CommandLineTest::outputFolderThatCannotBeMadeFails()
 {
     const Workshop shop;
-    const Outcome outcome = knead({"run", shop.write(pressRecipe()), "--out", shop.qPath("bar.stl/results")});
+    const Outcome outcome = runKnead({"run", shop.write(pressRecipe()), "--out", shop.qPath("bar.stl/results")});
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.errors.find("cannot be made") != std::string::npos, outcome.errors.c_str());
 }
@@ -134,7 +144,7 @@ void CommandLineTest::firstRecipeCanBeRun()
     QFETCH(int, axis);
     const Workshop shop;
     std::ofstream(shop.path("part.stl")) << "solid part\n" << facets.toStdString() << "endsolid part\n";
-    const Outcome written = knead({"recipe", shop.qPath("part.stl"), "--output", shop.qPath("first.recipe.json")});
+    const Outcome written = runKnead({"recipe", shop.qPath("part.stl"), "--output", shop.qPath("first.recipe.json")});
     QVERIFY2(written.status == 0, written.errors.c_str());
     json recipe = json::parse(std::ifstream(shop.path("first.recipe.json")));
     QCOMPARE(recipe.at("part").at("file").get<std::string>(), std::string("part.stl"));
@@ -143,7 +153,7 @@ void CommandLineTest::firstRecipeCanBeRun()
         QCOMPARE(block.at("position_mm")[i] != block.at("keyframes")[0].at("position_mm")[i],
                  static_cast<int>(i) == axis);
     recipe["objects"] = 800;
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QVERIFY2(report.at("tools")[0].at("peak_force_n").get<double>() > 0, "the block reaches the part");
@@ -163,7 +173,7 @@ void CommandLineTest::stillnessIsSaid()
             recipe["fixtures"][0]["box_mm"] = {-1, -1, -1, 41, 11, 11};
         else
             recipe["fixtures"][0]["box_mm"] = {-1, -1, -1, 2, 11, 11};
-        const Outcome outcome = knead({"run", shop.write(recipe)});
+        const Outcome outcome = runKnead({"run", shop.write(recipe)});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         QCOMPARE((outcome.out + outcome.errors).find("Nothing moved by more than") != std::string::npos, isHeld);
     }
@@ -182,7 +192,7 @@ void CommandLineTest::bundledExamplesAreReadable()
         recipe["duration_s"] = 0.01;
         recipe.erase("events");
         recipe.erase("exports");
-        const Outcome outcome = knead({"run", shop.write(recipe)});
+        const Outcome outcome = runKnead({"run", shop.write(recipe)});
         QVERIFY2(outcome.status == 0, (name.toStdString() + ": " + outcome.errors).c_str());
     }
 }
@@ -190,7 +200,8 @@ void CommandLineTest::bundledExamplesAreReadable()
 void CommandLineTest::importOptionsAreHeeded()
 {
     const QString bracket = QString(KNEAD_RESOURCES) + "/examples/bracket.step";
-    const Outcome chosen = knead({"info", bracket, "--json", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal"});
+    const Outcome chosen =
+        runKnead({"info", bracket, "--json", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal"});
     QVERIFY2(chosen.status == 0, chosen.errors.c_str());
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(chosen.out)).object();
     QCOMPARE(json["unit"].toString(), QString("cm"));
@@ -203,16 +214,17 @@ void CommandLineTest::importOptionsAreHeeded()
     QCOMPARE(part["layer"].toString("none"), QString());
     QVERIFY(part["repairs"].isArray());
 
-    const Outcome before = knead({"info", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal", bracket, "--json"});
+    const Outcome before =
+        runKnead({"info", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal", bracket, "--json"});
     QVERIFY2(before.out == chosen.out, "options may stand before the file");
 
-    const Outcome all = knead({"info", bracket, "--json"});
+    const Outcome all = runKnead({"info", bracket, "--json"});
     const QJsonArray parts = QJsonDocument::fromJson(QByteArray::fromStdString(all.out)).object()["parts"].toArray();
     QCOMPARE(parts.size(), 2);
     QVERIFY(std::abs(part["volume_mm3"].toDouble() / parts[1].toObject()["volume_mm3"].toDouble() - 1000) < 1e-6);
 
-    QCOMPARE(knead({"info", bracket, "--unit", "parsec"}).status, 2);
-    QCOMPARE(knead({"info", bracket, "--part", "bracket/Wheel"}).status, 2);
+    QCOMPARE(runKnead({"info", bracket, "--unit", "parsec"}).status, 2);
+    QCOMPARE(runKnead({"info", bracket, "--part", "bracket/Wheel"}).status, 2);
 }
 
 QTEST_GUILESS_MAIN(CommandLineTest)

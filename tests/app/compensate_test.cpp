@@ -85,6 +85,7 @@ private slots:
     void aKilledCompensationGoesOn();
     void anotherStudyInTheFolderIsRefused();
     void moreRoundsGoOn();
+    void whatComesOutMayBeScanned();
     void springbackOfARecipeIsCompensated();
     void theBracketOfTheExamplesIsCompensated();
     void whatGoesWrongIsASentence_data();
@@ -95,7 +96,7 @@ private slots:
 private:
     Outcome compensate(const QString& study, const QString& folder, const QStringList& more = {}) const
     {
-        return knead(QStringList{"compensate", study, "--out", folder} + more);
+        return runKnead(QStringList{"compensate", study, "--out", folder} + more);
     }
 
     Workshop m_shop;
@@ -124,7 +125,7 @@ void CompensateTest::aWarpIsCompensated()
     QVERIFY(contentOf(m_folder + "/rounds.svg").find("<polyline") != std::string::npos);
     const json report = json::parse(contentOf(m_folder + "/compensated.step.report.json"));
     QVERIFY2(report.at("sound").get<bool>(), report.dump().c_str());
-    const Outcome info = knead({"info", m_folder + "/compensated.step", "--json"});
+    const Outcome info = runKnead({"info", m_folder + "/compensated.step", "--json"});
     const json part = json::parse(info.out).at("parts")[0];
     QVERIFY2(part.at("valid").get<bool>() && part.at("name") == "Bar", info.out.c_str());
     QCOMPARE(part.at("faces").get<int>(), 6);
@@ -181,6 +182,30 @@ void CompensateTest::moreRoundsGoOn()
     QCOMPARE(deviationsIn(folder).size(), std::size_t{2});
 }
 
+/// The bar sags by 5 mm at its end, and is measured as a mesh.
+void CompensateTest::whatComesOutMayBeScanned()
+{
+    std::ofstream table(m_shop.path("sag.csv"));
+    table << "X,Y,Z,DX,DY,DZ\n";
+    for (int x = -40; x <= 200; x += 20)
+        for (int y = -20; y <= 40; y += 20)
+            for (int z = -20; z <= 40; z += 20)
+                table << x << ',' << y << ',' << z << ",0,0," << -5.0 * x * x / (160.0 * 160.0) << '\n';
+    table.close();
+    json study = studyOfWarp();
+    study["rounds"] = 2;
+    study["tolerance_mm"] = 0.01;
+    study["command"] = {KNEAD_PROGRAM, "morph", "{part}", "--field", "{study}/sag.csv", "--output", "{field}"};
+    study["field"] = {{"file", "scan.stl"}, {"in_place", true}};
+    study.erase("mesh_spacing_mm");
+    const QString folder = m_shop.qPath("scanned");
+    compensate(m_shop.write(study, "scanned.json"), folder);
+    const std::vector<double> deviations = deviationsIn(folder);
+    QCOMPARE(deviations.size(), std::size_t{2});
+    QVERIFY2(std::abs(deviations[0] - 5) < 0.3, qPrintable(QString::number(deviations[0])));
+    QVERIFY2(deviations[1] < 0.2 * deviations[0], qPrintable(QString::number(deviations[1])));
+}
+
 void CompensateTest::springbackOfARecipeIsCompensated()
 {
     m_shop.write(bendingRecipe(), "bend.recipe.json");
@@ -234,7 +259,8 @@ void CompensateTest::whatGoesWrongIsASentence()
     json study = studyOfWarp();
     study.update(json::parse(changes.toStdString()));
     study["spacing_mm"] = 20;
-    const Outcome outcome = compensate(m_shop.write(study, "wrong.json"), m_shop.qPath("wrong"), {"--restart"});
+    const Outcome outcome =
+        compensate(m_shop.write(study, "wrong.json"), m_shop.qPath("wrong"), {"--restart", "--yes"});
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.errors.find(sentence.toStdString()) != std::string::npos, outcome.errors.c_str());
     QCOMPARE(lineCount(outcome.errors), std::size_t{1});

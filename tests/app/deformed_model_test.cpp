@@ -1,4 +1,5 @@
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/deform_in_child.h"
 #include "core/geometry/mass_properties.h"
 #include "core/message/message.h"
@@ -111,7 +112,7 @@ class DeformedModelTest : public QObject {
 private slots:
     void initTestCase()
     {
-        setCadProgram(KNEAD_PROGRAM);
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         qputenv("TMPDIR", m_temporary.path().toLocal8Bit());
         m_model = assembly();
     }

@@ -85,7 +85,7 @@ void ExampleRunsTest::brokenPartsComeAsClosedPieces()
     QFETCH(int, leastPieces);
     QFETCH(double, volumeError);
     const QString file = QString::fromStdString(examples) + recipe + ".recipe.json";
-    const Outcome outcome = workshop::knead({"run", file, "--out", m_shop.qPath("out"), "--json"});
+    const Outcome outcome = workshop::runKnead({"run", file, "--out", m_shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QVERIFY(report.at("objects").get<int>() <= 3000);
@@ -131,11 +131,11 @@ void ExampleRunsTest::exportedExamplesAreSound()
     QFETCH(QString, recipe);
     QFETCH(QString, file);
     const QString path = QString::fromStdString(examples) + recipe + ".recipe.json";
-    const Outcome outcome = workshop::knead({"run", path, "--out", m_shop.qPath("out"), "--json"});
+    const Outcome outcome = workshop::runKnead({"run", path, "--out", m_shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     for (const json& one : json::parse(outcome.out).at("exports"))
         QVERIFY2(one.at("sound").get<bool>(), one.dump().c_str());
-    const Outcome info = workshop::knead({"info", m_shop.qPath("out/" + file.toStdString()), "--json"});
+    const Outcome info = workshop::runKnead({"info", m_shop.qPath("out/" + file.toStdString()), "--json"});
     QVERIFY2(info.status == 0, info.errors.c_str());
     for (const json& part : json::parse(info.out).at("parts")) {
         QVERIFY2(part.at("watertight").get<bool>(), info.out.c_str());

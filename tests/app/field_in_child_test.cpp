@@ -1,4 +1,5 @@
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "io/fields/nodal_mesh.h"
 #include "support/sample_fields.h"
 
@@ -15,7 +16,7 @@ class FieldInChildTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { setCadProgram(KNEAD_PROGRAM); }
+    void initTestCase() { setCadProgram(cadProgramBeside(KNEAD_PROGRAM)); }
     void aFieldComesBackWhole();
     void aMeshComesBackWhole();
     void whatIsWrongIsSaid();

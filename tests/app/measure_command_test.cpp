@@ -35,12 +35,12 @@ private slots:
 
     void filesAreMeasuredAsTheyAre()
     {
-        const Outcome outcome = workshop::knead({"measure", bar, "--json", "-m", "distance 0,0,0 100,0,0", "-m",
-                                                 "angle 100,0,0 0,0,0 0,20,0", "-m", "distance-to-face 0,0,0 0"});
+        const Outcome outcome = workshop::runKnead({"measure", bar, "--json", "-m", "distance 0,0,0 100,0,0", "-m",
+                                                    "angle 100,0,0 0,0,0 0,20,0", "-m", "distance-to-face 0,0,0 0"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json report = json::parse(outcome.out);
         QVERIFY(report.at("entry").is_null());
-        const json info = json::parse(workshop::knead({"info", bar, "--json"}).out).at("parts")[0];
+        const json info = json::parse(workshop::runKnead({"info", bar, "--json"}).out).at("parts")[0];
         const std::string name = info.at("name");
         const auto near = [](const json& value, double wanted) {
             return std::abs(value.at("now").get<double>() - wanted) < 1e-6 * std::max(1.0, std::abs(wanted));
@@ -57,7 +57,8 @@ private slots:
     void projectsAreMeasuredAtAnEntry()
     {
         const auto run = [&](const QStringList& more) {
-            const Outcome outcome = workshop::knead(QStringList{"measure", m_shop.qPath("bar.knead"), "--json"} + more);
+            const Outcome outcome =
+                workshop::runKnead(QStringList{"measure", m_shop.qPath("bar.knead"), "--json"} + more);
             return outcome.status == 0 ? json::parse(outcome.out) : json();
         };
         const json before = run({"--entry", "0"});
@@ -72,13 +73,13 @@ private slots:
         const json& height = measured(after, name, "Size Z");
         QVERIFY(height.at("now") != height.at("at_rest"));
         QCOMPARE(measured(before, name, "Size Z").at("now"), height.at("at_rest"));
-        QCOMPARE(workshop::knead({"measure", m_shop.qPath("bar.knead"), "--entry", "99"}).status, 2);
+        QCOMPARE(workshop::runKnead({"measure", m_shop.qPath("bar.knead"), "--entry", "99"}).status, 2);
     }
 
     void projectsAreComparedWithTheirOriginal()
     {
         const Outcome outcome =
-            workshop::knead({"compare", m_shop.qPath("bar.knead"), "--json", "--report", m_shop.qPath("bar.html")});
+            workshop::runKnead({"compare", m_shop.qPath("bar.knead"), "--json", "--report", m_shop.qPath("bar.html")});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json body = json::parse(outcome.out).at("bodies")[0];
         QVERIFY(body.at("largest_distance_mm").get<double>() > 1e-3);
@@ -88,7 +89,7 @@ private slots:
         QVERIFY(page.open(QIODevice::ReadOnly));
         const QByteArray html = page.readAll();
         QVERIFY(html.contains("data:image/png;base64,") && html.contains("Largest distance"));
-        QCOMPARE(workshop::knead({"compare", m_shop.qPath("bar.knead"), "--report", m_shop.qPath("bar.pdf")}).status,
+        QCOMPARE(workshop::runKnead({"compare", m_shop.qPath("bar.knead"), "--report", m_shop.qPath("bar.pdf")}).status,
                  0);
         QFile pdf(m_shop.qPath("bar.pdf"));
         QVERIFY(pdf.open(QIODevice::ReadOnly));
@@ -105,7 +106,7 @@ private slots:
         box("before.stl", 5);
         box("after.stl", 6);
         const Outcome outcome =
-            workshop::knead({"compare", m_shop.qPath("before.stl"), m_shop.qPath("after.stl"), "--json"});
+            workshop::runKnead({"compare", m_shop.qPath("before.stl"), m_shop.qPath("after.stl"), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json body = json::parse(outcome.out).at("bodies")[0];
         QVERIFY(std::abs(body.at("largest_distance_mm").get<double>() - 1) < 1e-6);
@@ -120,13 +121,13 @@ private slots:
     void anAssemblyIsAsFarFromItselfAsNothing()
     {
         const QString bracket = KNEAD_RESOURCES "/examples/bracket.step";
-        const Outcome same = workshop::knead({"compare", bracket, bracket, "--json"});
+        const Outcome same = workshop::runKnead({"compare", bracket, bracket, "--json"});
         QVERIFY2(same.status == 0, same.errors.c_str());
         const json bodies = json::parse(same.out).at("bodies");
         QCOMPARE(bodies.size(), std::size_t{2});
         for (const json& body : bodies)
             QVERIFY(body.at("largest_distance_mm").get<double>() < 1e-9);
-        const Outcome other = workshop::knead({"compare", bar, bracket, "--json"});
+        const Outcome other = workshop::runKnead({"compare", bar, bracket, "--json"});
         QVERIFY2(other.status == 0, other.errors.c_str());
         QCOMPARE(json::parse(other.out).at("only_in_changed").size(), std::size_t{1});
         QVERIFY2(other.errors.find("belongs to no closed part of the original") != std::string::npos,
@@ -137,18 +138,18 @@ private slots:
     {
         const QString bracket = KNEAD_RESOURCES "/examples/bracket.step";
         for (const char* face : {"face-radius \"Bushing\":0", "face-radius #1:0"}) {
-            const Outcome outcome = workshop::knead({"measure", bracket, "-m", face});
+            const Outcome outcome = workshop::runKnead({"measure", bracket, "-m", face});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         }
-        QCOMPARE(workshop::knead({"measure", bracket, "-m", "face-radius \"Bushing 2\":0"}).status, 2);
-        QCOMPARE(workshop::knead({"compare", bracket, bracket, "--entry", "1"}).status, 2);
-        const Outcome unclear = workshop::knead({"measure", bracket, "-m", "face-radius 1"});
+        QCOMPARE(workshop::runKnead({"measure", bracket, "-m", "face-radius \"Bushing 2\":0"}).status, 2);
+        QCOMPARE(workshop::runKnead({"compare", bracket, bracket, "--entry", "1"}).status, 2);
+        const Outcome unclear = workshop::runKnead({"measure", bracket, "-m", "face-radius 1"});
         QCOMPARE(unclear.status, 2);
         QVERIFY2(unclear.errors.find("#0:1") != std::string::npos, unclear.errors.c_str());
-        const Outcome far = workshop::knead({"measure", bracket, "-m", "point 0,0,900"});
+        const Outcome far = workshop::runKnead({"measure", bracket, "-m", "point 0,0,900"});
         QCOMPARE(far.status, 2);
         QVERIFY2(far.errors.find("lies far away") != std::string::npos, far.errors.c_str());
-        QCOMPARE(workshop::knead({"measure", bracket, "-m", "point 0,nan,0"}).status, 2);
+        QCOMPARE(workshop::runKnead({"measure", bracket, "-m", "point 0,nan,0"}).status, 2);
     }
 
     void probesOfARecipeAreRead()
@@ -160,8 +161,8 @@ private slots:
                 "keyframes": [{"time_s": 0.2, "position_mm": [90, 10, 17]}]}],
             "probes": [{"name": "tip", "place_mm": [100, 10, 0]}, {"name": "root", "place_mm": [0, 10, 0]}],
             "duration_s": 0.2})");
-        const Outcome outcome = workshop::knead({"run", m_shop.qPath("probed.recipe.json"), "--json", "--out",
-                                                 m_shop.qPath("out"), "--probes", m_shop.qPath("probes.csv")});
+        const Outcome outcome = workshop::runKnead({"run", m_shop.qPath("probed.recipe.json"), "--json", "--out",
+                                                    m_shop.qPath("out"), "--probes", m_shop.qPath("probes.csv")});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json probes = json::parse(outcome.out).at("probes");
         QCOMPARE(probes.size(), std::size_t{2});
@@ -183,14 +184,14 @@ private slots:
     void aProbeOfNothingIsRefused()
     {
         write("none.recipe.json", R"({"version": 1, "part": {"file": "BAR"}, "objects": 300, "duration_s": 0.01})");
-        const Outcome none = workshop::knead({"run", m_shop.qPath("none.recipe.json"), "--out", m_shop.qPath("out"),
-                                              "--probes", m_shop.qPath("none.csv")});
+        const Outcome none = workshop::runKnead({"run", m_shop.qPath("none.recipe.json"), "--out", m_shop.qPath("out"),
+                                                 "--probes", m_shop.qPath("none.csv")});
         QCOMPARE(none.status, 2);
         QVERIFY(!QFile::exists(m_shop.qPath("none.csv")));
         write("lost.recipe.json", R"({"version": 1, "part": {"file": "BAR"}, "objects": 300,
             "probes": [{"name": "tip", "body": "lid", "place_mm": [0, 0, 0]}], "duration_s": 0.01})");
         const Outcome outcome =
-            workshop::knead({"run", m_shop.qPath("lost.recipe.json"), "--out", m_shop.qPath("out")});
+            workshop::runKnead({"run", m_shop.qPath("lost.recipe.json"), "--out", m_shop.qPath("out")});
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.errors.find("the probe \"tip\" names the body \"lid\"") != std::string::npos,
                  outcome.errors.c_str());

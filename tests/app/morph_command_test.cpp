@@ -17,7 +17,7 @@ const QString bracket = KNEAD_RESOURCES "/examples/bracket.step";
 
 json partOf(const std::string& path, std::size_t part = 0)
 {
-    return json::parse(workshop::knead({"info", QString::fromStdString(path), "--json"}).out).at("parts").at(part);
+    return json::parse(workshop::runKnead({"info", QString::fromStdString(path), "--json"}).out).at("parts").at(part);
 }
 
 double volumeOf(const std::string& path, std::size_t part = 0)
@@ -52,8 +52,8 @@ class MorphCommandTest : public QObject {
 
     Outcome morph(const QString& part, const QStringList& how, const QString& out = "out.step")
     {
-        return workshop::knead(QStringList{"morph", part} + how +
-                               QStringList{"--output", m_shop.qPath(out.toStdString())});
+        return workshop::runKnead(QStringList{"morph", part} + how +
+                                  QStringList{"--output", m_shop.qPath(out.toStdString())});
     }
 
 private slots:
@@ -261,7 +261,7 @@ private slots:
 
     void whereToWriteIsSaidBeforeAnythingIsRead()
     {
-        const Outcome outcome = workshop::knead({"morph", "/nowhere/a.step", "--bend", "9", "--output", "a.xyz"});
+        const Outcome outcome = workshop::runKnead({"morph", "/nowhere/a.step", "--bend", "9", "--output", "a.xyz"});
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.errors.find("a.xyz: the ending is none of") != std::string::npos, outcome.errors.c_str());
         const Outcome folder = morph(cantilever, {"--bend", "9"}, "no/such/folder/out.step");

@@ -70,7 +70,7 @@ void RecipeForcesTest::forcesComeOutAsReportAndTable()
     const Workshop shop;
     json recipe = pressRecipe();
     recipe.erase("exports");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     const json& fixture = report.at("fixtures").at(0);
@@ -99,7 +99,7 @@ void RecipeForcesTest::aStaticRecipeFindsBalance()
 {
     const Workshop shop;
     const double force = 1e-3 * modulus * area;
-    const Outcome outcome = knead({"run", shop.write(staticRecipe({{"force_n", {force, 0, 0}}})), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(staticRecipe({{"force_n", {force, 0, 0}}})), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     // P L / E A, and the end whose objects are held does not contract.
@@ -119,7 +119,7 @@ void RecipeForcesTest::momentsAreAboutTheStatedPoint()
     const Workshop shop;
     json recipe = staticRecipe({{"force_n", {0, 0, -0.001}}});
     recipe["fixtures"][0]["moment_center_mm"] = {0, 5, 5};
-    const json report = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
+    const json report = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out);
     const json& fixture = report.at("fixtures")[0];
     QCOMPARE(fixture.at("moment_center_mm"), (json{0.0, 5.0, 5.0}));
     QVERIFY(std::abs(fixture.at("moment_nm")[1].get<double>() - 0.001 * length) < 1e-3 * 0.001 * length);
@@ -130,7 +130,7 @@ void RecipeForcesTest::whatIsFreeEndsWithStatusOneAndARemedy()
     const Workshop shop;
     json recipe = staticRecipe({{"force_n", {1, 0, 0}}});
     recipe.erase("fixtures");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.errors.find("is free to move: hold it, or let time run (dynamic)") != std::string::npos,
              outcome.errors.c_str());
@@ -151,7 +151,7 @@ void RecipeForcesTest::loadsAreAddedChangedAndTakenAway()
     recipe["events"] = {{{"time_s", 0.2}, {"add_load", second}},
                         {{"time_s", 0.5}, {"change_load", {{"name", "pull"}, {"force_n", {0.02, 0, 0}}}}},
                         {{"time_s", 0.8}, {"remove_load", "twist, \"hard\""}}};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QCOMPARE(report.at("loads").size(), std::size_t(2));
@@ -177,7 +177,7 @@ void RecipeForcesTest::gripsTurnAsTheRecipeSays()
          {"box_mm", {38, -1, -1, 41, 11, 11}},
          {"turn", {{"center_mm", {40, 5, 5}}, {"axis", {2, 0, 0}}, {"speed_deg_s", 300}, {"angle_deg", 30}}}});
     recipe["duration_s"] = 0.5;
-    const json report = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
+    const json report = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out);
     // Corners of the gripped end are sqrt(50) mm from the axis: a chord of 2 r sin 15 degrees.
     const double largest = report.at("bodies")[0].at("largest_displacement_mm");
     QVERIFY2(std::abs(largest - 2 * std::sqrt(50.0) * std::sin(15 * M_PI / 180)) < 1e-6,
@@ -193,16 +193,16 @@ void RecipeForcesTest::recipesThatDoNotFitAreRefused()
     const Workshop shop;
     json recipe = loadedRecipe({{"pressure_pa", 100}});
     recipe["loads"][0]["box_mm"] = {50, 50, 50, 60, 60, 60};
-    const Outcome nothing = knead({"run", shop.write(recipe)});
+    const Outcome nothing = runKnead({"run", shop.write(recipe)});
     QCOMPARE(nothing.status, 2);
     QVERIFY2(nothing.errors.find("acts on nothing") != std::string::npos, nothing.errors.c_str());
     recipe["loads"][0].erase("box_mm");
     recipe["loads"][0]["faces"] = {7};
-    const Outcome faces = knead({"run", shop.write(recipe)});
+    const Outcome faces = runKnead({"run", shop.write(recipe)});
     QCOMPARE(faces.status, 2);
     QVERIFY2(faces.errors.find("face") != std::string::npos, faces.errors.c_str());
     const Outcome table =
-        knead({"run", shop.write(staticRecipe({{"pressure_pa", 1}})), "--csv", "/nowhere/forces.csv"});
+        runKnead({"run", shop.write(staticRecipe({{"pressure_pa", 1}})), "--csv", "/nowhere/forces.csv"});
     QCOMPARE(table.status, 1);
     QVERIFY2(table.errors.find("--csv") != std::string::npos, table.errors.c_str());
 }

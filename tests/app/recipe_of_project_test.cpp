@@ -2,6 +2,7 @@
 #include "io/recipe/recipe_reader.h"
 // Sessions as recipes: carried out, they come to the same bits.
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/thread_limit.h"
 #include "core/session/recipe_runner.h"
 #include "core/session/recipe_scene.h"
@@ -128,7 +129,7 @@ class RecipeOfProjectTest : public QObject {
 private slots:
     void initTestCase()
     {
-        setCadProgram(KNEAD_PROGRAM);
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         m_model = std::make_shared<const Model>(importFile(writeLumps(m_shop.path("lumps.3mf"))));
         QCOMPARE(m_model->parts.size(), std::size_t{2});
     }

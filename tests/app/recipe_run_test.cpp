@@ -41,7 +41,7 @@ private slots:
 void RecipeRunTest::runWritesExactlyTheExports()
 {
     const Workshop shop;
-    const Outcome outcome = knead({"run", shop.write(pressRecipe()), "--out", shop.qPath("new/results")});
+    const Outcome outcome = runKnead({"run", shop.write(pressRecipe()), "--out", shop.qPath("new/results")});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QCOMPARE(shop.filesUnder("new/results"), (QStringList{"bent.stl", "pictures/bent.png"}));
     const QImage picture(shop.qPath("new/results/pictures/bent.png"));
@@ -54,7 +54,7 @@ void RecipeRunTest::runWritesExactlyTheExports()
 void RecipeRunTest::runReportsWhatTheRecipeSaid()
 {
     const Workshop shop;
-    const Outcome outcome = knead({"run", shop.write(pressRecipe()), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(pressRecipe()), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     // 17 x 5 x 5 nodes of the lattice
@@ -86,12 +86,12 @@ void RecipeRunTest::settingsAreThoseOfAnEditedRecipe()
     recipe["duration_s"] = 0.05;
     recipe["manipulators"][0]["size_mm"][0] = 8;
     recipe["material"]["youngs_modulus_pa"] = 2e5;
-    const json edited = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
-    const Outcome set = knead({"run", "--set", "duration_s=0.05", "--set", "manipulators.press.size_mm.0=8", "--set",
-                               "exports=null", before, "--set",
-                               "material={\"youngs_modulus_pa\": 1e5, \"damping_ratio\": "
-                               "0.2, \"shape_damping_per_s\": 40}",
-                               "--set", "material.youngs_modulus_pa=2e5", "--json"});
+    const json edited = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out);
+    const Outcome set = runKnead({"run", "--set", "duration_s=0.05", "--set", "manipulators.press.size_mm.0=8", "--set",
+                                  "exports=null", before, "--set",
+                                  "material={\"youngs_modulus_pa\": 1e5, \"damping_ratio\": "
+                                  "0.2, \"shape_damping_per_s\": 40}",
+                                  "--set", "material.youngs_modulus_pa=2e5", "--json"});
     QVERIFY2(set.status == 0, set.errors.c_str());
     QCOMPARE(json::parse(set.out).at("state_hash"), edited.at("state_hash"));
     QCOMPARE(json::parse(set.out).at("files"), json::array());
@@ -102,7 +102,7 @@ void RecipeRunTest::exportsAreAsAsked()
     const Workshop shop;
     json recipe = pressRecipe();
     recipe["exports"] = json::parse(R"([{"file": "bent.stl", "text": true}, {"file": "bent.vtp"}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     // The file has what the report says of the body.
     const json report = json::parse(outcome.out);
@@ -132,7 +132,7 @@ void RecipeRunTest::anyNumberOfThreadsGivesTheSameBits()
     const QString path = shop.write(recipe);
     std::vector<json> hashes;
     for (const char* threads : {"1", "2", "4"})
-        hashes.push_back(json::parse(knead({"run", path, "--json", "--threads", threads}).out).at("state_hash"));
+        hashes.push_back(json::parse(runKnead({"run", path, "--json", "--threads", threads}).out).at("state_hash"));
     QCOMPARE(hashes[0].get<std::string>().size(), std::size_t(16));
     QCOMPARE(hashes[1], hashes[0]);
     QCOMPARE(hashes[2], hashes[0]);
@@ -146,7 +146,7 @@ void RecipeRunTest::eventsHappen()
     recipe["gravity_m_s2"] = {0, 0, -9.81};
     recipe["events"] = json::parse(R"([{"time_s": 0.02, "remove_manipulator": "press"},
         {"time_s": 0.02, "remove_fixture": "end"}, {"time_s": 0.04, "material": {"youngs_modulus_pa": 5e4}}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     // Free fall for 0.18 s: kinetic energy m (g t)^2 / 2 with m = 4.4 g, vibration comes on top.
@@ -168,14 +168,14 @@ void RecipeRunTest::wedgesCutABarInTwo()
          "rotation_deg": [0, 0, 90], "keyframes": [{"time_s": 0.15, "position_mm": [20.3, 5, 11.8]}]},
         {"name": "lower", "kind": "wedge", "size_mm": [14, 14, 14], "position_mm": [20.3, 5, -7.5],
          "rotation_deg": [180, 0, 90], "keyframes": [{"time_s": 0.15, "position_mm": [20.3, 5, -1.8]}]}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QVERIFY2(report.at("broken").get<int>() > 0, outcome.out.c_str());
     QVERIFY2(report.at("components").get<int>() >= 2, outcome.out.c_str());
     QVERIFY(report.at("energy_j").at("fracture").get<double>() > 0);
 
-    const Outcome read = knead({"run", shop.write(recipe)});
+    const Outcome read = runKnead({"run", shop.write(recipe)});
     QVERIFY2(read.out.find(" connections broke, ") != std::string::npos, read.out.c_str());
 }
 
@@ -192,7 +192,7 @@ void RecipeRunTest::pressedClayStaysPressed()
     recipe["exports"] = json::parse(R"([{"file": "pressed.stl"}])");
     const auto plasticWork = [&](const json& material) {
         recipe["material"] = material;
-        const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+        const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
         return outcome.status == 0 ? json::parse(outcome.out).at("energy_j") : json{{"error", outcome.errors}};
     };
     const json clay = plasticWork({{"preset", "modeling-clay"}, {"poisson_ratio", 0.4}});
@@ -212,7 +212,7 @@ void RecipeRunTest::clayPressedDeepLeavesAsItsFaces()
         "gravity_m_s2": [0, 0, -9.81], "floor": {"height_mm": 0, "friction": 0.8}, "duration_s": 0.6,
         "events": [{"time_s": 0.55, "refill": {"spacing_mm": 2.5}}], "exports": [{"file": "deep.step"}]})");
     recipe["part"] = {{"file", KNEAD_RESOURCES "/examples/lump.step"}};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QVERIFY2(report.at("refills").get<int>() >= 3, outcome.out.c_str());
@@ -237,7 +237,7 @@ void RecipeRunTest::rigidBodiesFlyAsTheyStarted()
     recipe["manipulators"] = json::array();
     recipe["exports"] = json::parse(R"([{"file": "flown.stl"}])");
     recipe["bodies"] = {{"bar", {{"kind", "rigid"}, {"velocity_mm_s", {0, 0, -100}}}}};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     const float fallen = static_cast<float>(100 * report.at("simulated_s").get<double>());
@@ -257,7 +257,7 @@ void RecipeRunTest::toolsMayBePartsFromFiles()
     recipe["manipulators"] = json::parse(R"([{"name": "press", "kind": "part", "part_file": "bar.stl",
         "position_mm": [35, 5, 31], "rotation_deg": [0, 90, 0],
         "keyframes": [{"time_s": 0.1, "position_mm": [35, 5, 27]}]}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json tool = json::parse(outcome.out).at("tools")[0];
     QVERIFY2(tool.at("force_n")[2].get<double>() > 0, outcome.out.c_str());
@@ -278,7 +278,7 @@ void RecipeRunTest::partsAreBroughtTogetherAndGlued()
     recipe["bodies"] = json::parse(R"({"upper": {"velocity_mm_s": [0, 0, -20]}})");
     recipe["bodies"]["bar"] = {{"kind", "glue"}};
     recipe["gravity_m_s2"] = {0, 0, 5};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QCOMPARE(report.at("objects").get<int>(), 2 * 425);
@@ -292,19 +292,20 @@ void RecipeRunTest::regionsAndTimeStepsReachTheSimulation()
     json recipe = pressRecipe();
     recipe.erase("exports");
     recipe["duration_s"] = 0.02;
-    const double step = json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
+    const double step = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
     recipe["regions"] = json::parse(R"([{"name": "hard end", "box_mm": [30, -1, -1, 41, 11, 11],
                                          "material": {"youngs_modulus_pa": 4e5}}])");
-    const double harder = json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
+    const double harder = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
     QVERIFY2(harder < 0.6 * step, "four times the stiffness halves the step");
 
     recipe["mass_scaling_time_step_s"] = step;
-    const json scaled = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
+    const json scaled = json::parse(runKnead({"run", shop.write(recipe), "--json"}).out);
     QVERIFY2(scaled.at("added_mass").get<double>() > 0, scaled.dump().c_str());
     QVERIFY(scaled.at("time_step_s").get<double>() > 0.9 * step);
 
     recipe["time_step_s"] = step / 8;
-    QCOMPARE(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s").get<double>(), step / 8);
+    QCOMPARE(json::parse(runKnead({"run", shop.write(recipe), "--json"}).out).at("time_step_s").get<double>(),
+             step / 8);
 }
 
 /// Implicit steps of a frame would step over all of it.
@@ -315,13 +316,13 @@ void RecipeRunTest::whatIsShorterThanAFrameIsSimulated()
     recipe.erase("exports");
     recipe["duration_s"] = 0.005;
     recipe["integrator"] = "implicit-euler";
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QVERIFY(report.at("steps").get<int>() >= 1);
     QVERIFY(std::abs(report.at("simulated_s").get<double>() - 0.005) < 1e-4);
     recipe["integrator"] = "automatic";
-    QVERIFY(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("steps").get<int>() > 10);
+    QVERIFY(json::parse(runKnead({"run", shop.write(recipe), "--json"}).out).at("steps").get<int>() > 10);
 }
 
 /// The example: nothing moves once the tube is bent, which leaves with true tori.
@@ -329,7 +330,7 @@ void RecipeRunTest::partsAreBentByNumberFirst()
 {
     const Workshop shop;
     const Outcome outcome =
-        knead({"run", KNEAD_RESOURCES "/examples/bent-tube.recipe.json", "--out", shop.qPath("out"), "--json"});
+        runKnead({"run", KNEAD_RESOURCES "/examples/bent-tube.recipe.json", "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     const json& part = report.at("exports")[0].at("parts")[0];
@@ -352,7 +353,7 @@ void RecipeRunTest::bendsThatFoldAreRefused()
     json recipe = pressRecipe();
     recipe["deform"] = json::parse(
         R"([{"kind": "bend", "axis": [1, 0, 0], "side": [0, 0, 1], "from_mm": 10, "to_mm": 20, "radius_mm": 2}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out")});
     QVERIFY(outcome.status != 0);
     QVERIFY2(outcome.errors.find("would fold the material") != std::string::npos, outcome.errors.c_str());
 }
@@ -365,7 +366,7 @@ void RecipeRunTest::publishedScenesAreRepeated()
     recipe.update(json::parse(R"({"arrangement": "published", "integrator": "forward-euler",
         "vicinity": "half-partition", "structural_friction": 0.2, "duration_s": 0.02,
         "material": {"youngs_modulus_pa": 3000, "damping_ratio": 0.3}})"));
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     const json report = json::parse(outcome.out);
     QCOMPARE(report.at("objects").get<int>(), 20 * 5 * 5);
@@ -384,7 +385,7 @@ void RecipeRunTest::commandsThatMakeNoSenseAreWarnedOf()
     recipe["duration_s"] = 0.02;
     recipe["events"] = {{{"time_s", 0}, {"body_kind", {{"body", "bar"}, {"kind", "rigid"}}}},
                         {{"time_s", 0.01}, {"renormalize", {{"body", "bar"}}}}};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--json"});
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.errors.find("A rigid body has no stress to lose.") != std::string::npos, outcome.errors.c_str());
 }
@@ -396,7 +397,7 @@ void RecipeRunTest::numbersOfALaterFillingFitThatOneOnly()
     json recipe = pressRecipe();
     recipe["events"] = {
         {{"time_s", 0.05}, {"renormalize", {{"objects", {1}}, {"objects_in_body", 22}, {"filled_anew", true}}}}};
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out")});
     QVERIFY(outcome.status != 0);
     QVERIFY2(
         outcome.errors.find("events[0] names objects of a body that was filled anew with 22, and here it is filled "
@@ -435,7 +436,7 @@ void RecipeRunTest::recipesThatDoNotFitThePartAreRefused()
     const Workshop shop;
     json recipe = pressRecipe();
     recipe.update(json::parse(change.toStdString()));
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    const Outcome outcome = runKnead({"run", shop.write(recipe), "--out", shop.qPath("out")});
     QCOMPARE(outcome.status, 2);
     QVERIFY2(outcome.errors.find(words.toStdString()) != std::string::npos, outcome.errors.c_str());
     QVERIFY(shop.filesUnder("out").empty());

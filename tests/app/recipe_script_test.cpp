@@ -2,6 +2,7 @@
 #include "io/recipe/recipe_reader.h"
 // A recipe as the window plays it, without a window: the same as knead run does.
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/gui.h"
 #include "core/document/history.h"
 #include "core/session/recipe_runner.h"
@@ -22,7 +23,7 @@ class RecipeScriptTest : public QObject {
 private slots:
     void initTestCase()
     {
-        setCadProgram(KNEAD_PROGRAM);
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         m_services = fileServices();
         m_recipe = workshop::busyRecipe(std::string(KNEAD_RESOURCES) + "/examples/bar.step");
     }

@@ -41,7 +41,7 @@ private slots:
     {
         for (const char* threads : {"1", "2"}) {
             const Outcome outcome =
-                workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--json", "--threads", threads});
+                workshop::runKnead({"replay", m_shop.qPath("bracket.knead"), "--json", "--threads", threads});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             const json report = json::parse(outcome.out);
             QVERIFY(report.at("same").get<bool>());
@@ -59,7 +59,7 @@ private slots:
     {
         for (const QStringList& more : {QStringList{}, QStringList{"--from-moments"}}) {
             const Outcome outcome =
-                workshop::knead(QStringList{"replay", m_shop.qPath("bracket.knead"), "--all"} + more);
+                workshop::runKnead(QStringList{"replay", m_shop.qPath("bracket.knead"), "--all"} + more);
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QCOMPARE(lineCount(outcome.out), std::size_t{6});
             QVERIFY2(outcome.out.starts_with("entry  name               "), outcome.out.c_str());
@@ -72,13 +72,13 @@ private slots:
         Project other = m_project;
         other.entries[3].hash += 1;
         writeProject(m_shop.path("other.knead"), other);
-        const Outcome one = workshop::knead({"replay", m_shop.qPath("other.knead"), "--entry", "3"});
+        const Outcome one = workshop::runKnead({"replay", m_shop.qPath("other.knead"), "--entry", "3"});
         QCOMPARE(one.status, 1);
         QVERIFY2(one.out.find("different: ") != std::string::npos, one.out.c_str());
         QVERIFY2(one.errors.starts_with("knead: other.knead: 1 of 1 entries came to another state"),
                  one.errors.c_str());
-        QCOMPARE(workshop::knead({"replay", m_shop.qPath("other.knead"), "--entry", "4"}).status, 0);
-        QCOMPARE(workshop::knead({"replay", m_shop.qPath("other.knead"), "--all"}).status, 1);
+        QCOMPARE(workshop::runKnead({"replay", m_shop.qPath("other.knead"), "--entry", "4"}).status, 0);
+        QCOMPARE(workshop::runKnead({"replay", m_shop.qPath("other.knead"), "--all"}).status, 1);
     }
 
     void anEditThatMovesNothingIsProvenToo()
@@ -87,19 +87,19 @@ private slots:
         auto& commands = other.entries[1].commands; // the block that was added
         std::get<AddManipulator>(commands.at(0).command).manipulator.friction = 0.9;
         writeProject(m_shop.path("still.knead"), other);
-        const Outcome one = workshop::knead({"replay", m_shop.qPath("still.knead"), "--entry", "1"});
+        const Outcome one = workshop::runKnead({"replay", m_shop.qPath("still.knead"), "--entry", "1"});
         QCOMPARE(one.status, 1);
         QVERIFY2(
             one.out.find("  different: the same positions and velocities, but other materials, tools or forces\n") !=
                 std::string::npos,
             one.out.c_str());
-        const Outcome report = workshop::knead({"replay", m_shop.qPath("still.knead"), "--entry", "1", "--json"});
+        const Outcome report = workshop::runKnead({"replay", m_shop.qPath("still.knead"), "--entry", "1", "--json"});
         const json entry = json::parse(report.out).at("entries").at(0);
         QCOMPARE(entry.at("repeated_hash"), entry.at("state_hash"));
         QCOMPARE(entry.at("whole_state").get<std::string>(), std::string("different"));
         other.entries[1].moment = nullptr;
         writeProject(m_shop.path("thinned.knead"), other);
-        const Outcome thinned = workshop::knead({"replay", m_shop.qPath("thinned.knead"), "--entry", "1"});
+        const Outcome thinned = workshop::runKnead({"replay", m_shop.qPath("thinned.knead"), "--entry", "1"});
         QCOMPARE(thinned.status, 0);
         QVERIFY2(thinned.out.find("  same positions and velocities; no more was kept\n") != std::string::npos,
                  thinned.out.c_str());
@@ -118,8 +118,8 @@ private slots:
         std::vector<std::string> bytes;
         for (const char* threads : {"1", "2"}) {
             const QString name = "part." + ending;
-            const Outcome outcome = workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--threads", threads,
-                                                     "--export", m_shop.qPath("new/folder/") + name});
+            const Outcome outcome = workshop::runKnead({"replay", m_shop.qPath("bracket.knead"), "--threads", threads,
+                                                        "--export", m_shop.qPath("new/folder/") + name});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QVERIFY2(outcome.out.find("wrote ") != std::string::npos, outcome.out.c_str());
             bytes.push_back(contentOf(m_shop.path("new/folder/") + name.toStdString()));
@@ -131,8 +131,8 @@ private slots:
     void severalFilesOfAnEarlierEntry()
     {
         const Outcome outcome =
-            workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--entry", "0", "--export",
-                             m_shop.qPath("rest.stl"), "--export", m_shop.qPath("rest.igs"), "--json"});
+            workshop::runKnead({"replay", m_shop.qPath("bracket.knead"), "--entry", "0", "--export",
+                                m_shop.qPath("rest.stl"), "--export", m_shop.qPath("rest.igs"), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json report = json::parse(outcome.out);
         QCOMPARE(report.at("files"), (json{m_shop.path("rest.stl"), m_shop.path("rest.igs")}));
@@ -165,7 +165,7 @@ private slots:
     {
         QFETCH(QStringList, arguments);
         QFETCH(QString, words);
-        const Outcome outcome = workshop::knead(QStringList{"replay"} + arguments);
+        const Outcome outcome = workshop::runKnead(QStringList{"replay"} + arguments);
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.errors.starts_with("knead: "), outcome.errors.c_str());
         QVERIFY2(outcome.errors.find(words.toStdString()) != std::string::npos, outcome.errors.c_str());
@@ -176,7 +176,7 @@ private slots:
     void aProjectRunsAsARecipe()
     {
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead(
+            const Outcome outcome = workshop::runKnead(
                 {"run", m_shop.qPath("bracket.knead"), "--json", "--threads", threads, "--out", m_shop.qPath("run")});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             const json report = json::parse(outcome.out);
@@ -191,7 +191,7 @@ private slots:
             QStringList arguments{"run", m_shop.qPath("bracket.knead"), "--json"};
             for (const QString& change : changes)
                 arguments << "--set" << change;
-            const Outcome outcome = workshop::knead(arguments);
+            const Outcome outcome = workshop::runKnead(arguments);
             return outcome.status == 0 ? json::parse(outcome.out) : json{{"error", outcome.errors}};
         };
         const json softer = run({"material.youngs_modulus_pa=1e5"});
@@ -211,14 +211,14 @@ private slots:
     void aProjectBecomesARecipe()
     {
         const Outcome written =
-            workshop::knead({"recipe", m_shop.qPath("bracket.knead"), "-o", m_shop.qPath("session.recipe.json")});
+            workshop::runKnead({"recipe", m_shop.qPath("bracket.knead"), "-o", m_shop.qPath("session.recipe.json")});
         QVERIFY2(written.status == 0, written.errors.c_str());
-        const Outcome outcome = workshop::knead({"run", m_shop.qPath("session.recipe.json"), "--json"});
+        const Outcome outcome = workshop::runKnead({"run", m_shop.qPath("session.recipe.json"), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         QCOMPARE(json::parse(outcome.out).at("state_hash").get<std::string>(), hexadecimal(m_project.entries[4].hash));
-        const Outcome shown = workshop::knead({"recipe", m_shop.qPath("bracket.knead")});
+        const Outcome shown = workshop::runKnead({"recipe", m_shop.qPath("bracket.knead")});
         QVERIFY(json::parse(shown.out).at("part").at("file").get<std::string>().starts_with('/'));
-        const Outcome damaged = workshop::knead({"recipe", m_shop.qPath("damaged.knead")});
+        const Outcome damaged = workshop::runKnead({"recipe", m_shop.qPath("damaged.knead")});
         QCOMPARE(damaged.status, 2);
         QCOMPARE(lineCount(damaged.errors), std::size_t{1});
     }

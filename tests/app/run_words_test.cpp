@@ -65,7 +65,7 @@ private slots:
         recipe.erase("exports");
         recipe["mass_scaling_time_step_s"] = 0.01;
         recipe["duration_s"] = 0.1;
-        const Outcome outcome = workshop::knead({"run", shop.write(recipe), "--json"});
+        const Outcome outcome = workshop::runKnead({"run", shop.write(recipe), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json report = json::parse(outcome.out);
         const json& quality = report.at("quality");
@@ -93,7 +93,7 @@ private slots:
         recipe["integrator"] = "semi-implicit-euler";
         recipe["duration_s"] = 5;
         const Outcome outcome =
-            workshop::knead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
+            workshop::runKnead({"run", shop.write(recipe), "--json", "--csv", shop.qPath("forces.csv")});
         QCOMPARE(outcome.status, 1);
         const json report = json::parse(outcome.out);
         const std::string sentence = report.at("failure").at("sentence");
@@ -112,7 +112,7 @@ private slots:
         const Workshop shop;
         json recipe = pressRecipe();
         recipe["spacing_mm"] = 1e-4; // more objects than any machine takes
-        const Outcome outcome = workshop::knead({"run", shop.write(recipe), "--json"});
+        const Outcome outcome = workshop::runKnead({"run", shop.write(recipe), "--json"});
         QCOMPARE(outcome.status, 1);
         const std::string sentence = json::parse(outcome.out).at("failure").at("sentence");
         QVERIFY2(outcome.errors.find(sentence) != std::string::npos, outcome.errors.c_str());
@@ -143,7 +143,7 @@ private slots:
         recipe["manipulators"] = json::array();
         recipe["spacing_mm"] = spacing;
         recipe["duration_s"] = 0.01;
-        const Outcome outcome = workshop::knead({"run", shop.write(recipe), "--json"});
+        const Outcome outcome = workshop::runKnead({"run", shop.write(recipe), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json quality = json::parse(outcome.out).at("quality");
         QVERIFY(std::abs(quality.at("cells_across_thinnest_wall").get<double>() - cells) < 1e-6);
@@ -164,7 +164,7 @@ private slots:
         recipe["manipulators"][0]["position_mm"] = {35, 5, 10};
         recipe["manipulators"][0].erase("keyframes");
         recipe["duration_s"] = 0.01;
-        const Outcome outcome = workshop::knead({"run", shop.write(recipe), "--json"});
+        const Outcome outcome = workshop::runKnead({"run", shop.write(recipe), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const std::string sentence = "The tool \"press\" begins 3 mm inside \"bar\"";
         const std::size_t said = outcome.errors.find(sentence);

@@ -69,7 +69,7 @@ void SweepSlurmTest::withoutSlurmThereIsASentence()
 {
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", "/nowhere");
-    const Outcome outcome = knead(arguments(m_shop.qPath("no slurm"), {"--vary", "spacing_mm=5"}));
+    const Outcome outcome = runKnead(arguments(m_shop.qPath("no slurm"), {"--vary", "spacing_mm=5"}));
     qputenv("PATH", path);
     QCOMPARE(outcome.status, 1);
     QCOMPARE(outcome.errors,
@@ -85,8 +85,8 @@ void SweepSlurmTest::theTableIsThatOfThisMachine()
     const QStringList points{"--vary", "spacing_mm=5,-1,4", "--vary", "material.youngs_modulus_pa=1e5:1e6:log:3"};
     const QString here = m_shop.qPath("here");
     const QString there = m_shop.qPath("the folder's name");
-    QCOMPARE(knead(sweepArguments(m_recipe, here, points)).status, 1);
-    const Outcome outcome = knead(arguments(there, points + QStringList{"--threads", "2", "--jobs", "1"}));
+    QCOMPARE(runKnead(sweepArguments(m_recipe, here, points)).status, 1);
+    const Outcome outcome = runKnead(arguments(there, points + QStringList{"--threads", "2", "--jobs", "1"}));
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.out.starts_with("9 points, 0 finished before, 3 failed\n"), outcome.out.c_str());
     QCOMPARE(lineCount(tableIn(there)), std::size_t(10));
@@ -94,7 +94,7 @@ void SweepSlurmTest::theTableIsThatOfThisMachine()
     QCOMPARE(jobsIn(there).size(), 1);
 
     // What is there is not submitted again.
-    const Outcome again = knead(arguments(there, points));
+    const Outcome again = runKnead(arguments(there, points));
     QVERIFY2(again.out.starts_with("9 points, 9 finished before, 3 failed\n"), again.out.c_str());
     QCOMPARE(jobsIn(there).size(), 1);
 }
@@ -113,7 +113,7 @@ void SweepSlurmTest::anInterruptedSweepTakesUpItsJobs()
              "knead: interrupted after 0 of 4 points; the same command goes on from there. Its jobs go on in "
              "Slurm; scancel " +
                  jobs[0].toStdString() + " ends them.\n");
-    const Outcome again = knead(sweep);
+    const Outcome again = runKnead(sweep);
     QVERIFY2(again.status == 0, again.errors.c_str());
     QCOMPARE(jobsIn(folder), jobs);
     QCOMPARE(lineCount(tableIn(folder)), std::size_t(5));
@@ -145,7 +145,7 @@ void SweepSlurmTest::vanishedTasksAreSubmittedAgain()
     QVERIFY2(said.find("knead: " + sentence + "\n") != std::string::npos, said.c_str());
     QVERIFY2(tableIn(folder).find("\n2,7,," + sentence + ",") != std::string::npos, tableIn(folder).c_str());
 
-    const Outcome again = knead(arguments(folder, points));
+    const Outcome again = runKnead(arguments(folder, points));
     QVERIFY2(again.status == 0, again.errors.c_str());
     QVERIFY2(again.out.starts_with("3 points, 1 finished before, 0 failed\n"), again.out.c_str());
     QCOMPARE(jobsIn(folder).size(), 2);
@@ -174,7 +174,7 @@ void SweepSlurmTest::longSweepsTakeSeveralArrays()
     }
     QFile::remove(folder + "/points/00003.json");
 
-    const Outcome outcome = knead(sweep);
+    const Outcome outcome = runKnead(sweep);
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QVERIFY2(outcome.out.starts_with("1003 points, 999 finished before, 0 failed\n"), outcome.out.c_str());
     QCOMPARE(jobsIn(folder).size(), jobs.size() + 2);
@@ -183,7 +183,8 @@ void SweepSlurmTest::longSweepsTakeSeveralArrays()
     };
     QVERIFY(hashOf("00003") != hashOf("01002"));
     const json alone = json::parse(
-        knead({"run", m_recipe, "--json", "--set", "material.youngs_modulus_pa=200200", "--set", "exports=null"}).out);
+        runKnead({"run", m_recipe, "--json", "--set", "material.youngs_modulus_pa=200200", "--set", "exports=null"})
+            .out);
     QCOMPARE(hashOf("01002"), alone.at("state_hash"));
 }
 
@@ -191,8 +192,8 @@ void SweepSlurmTest::refusalsOfSlurmAreASentence()
 {
     if (!m_missing.isEmpty())
         KNEAD_SKIP_WITHOUT("slurm", qPrintable("Slurm cannot be started: " + m_missing));
-    const Outcome outcome =
-        knead(arguments(m_shop.qPath("refused"), {"--vary", "spacing_mm=5", "--slurm-option", "--partition=nowhere"}));
+    const Outcome outcome = runKnead(
+        arguments(m_shop.qPath("refused"), {"--vary", "spacing_mm=5", "--slurm-option", "--partition=nowhere"}));
     QCOMPARE(outcome.status, 1);
     QCOMPARE(
         outcome.errors,
@@ -227,7 +228,7 @@ void SweepSlurmTest::roundsOfACompensationAreJobs()
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitCode(), 130);
     std::ofstream(m_shop.path("go")) << "";
-    const Outcome outcome = knead(arguments);
+    const Outcome outcome = runKnead(arguments);
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QVERIFY2(outcome.out.find("2 rounds, 1 finished before\n") != std::string::npos, outcome.out.c_str());
     QCOMPARE(contentOf(folder + "/round-02/jobs.json"), job);

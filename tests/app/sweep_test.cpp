@@ -75,7 +75,7 @@ void SweepTest::initTestCase()
 {
     m_recipe = m_shop.write(tinyRecipe());
     const QString folder = m_shop.qPath("reference");
-    const Outcome outcome = knead(sweepArguments(m_recipe, folder, twentyPoints() + QStringList{"--jobs", "2"}));
+    const Outcome outcome = runKnead(sweepArguments(m_recipe, folder, twentyPoints() + QStringList{"--jobs", "2"}));
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QVERIFY2(outcome.out.starts_with("20 points, 0 finished before, 0 failed\n"), outcome.out.c_str());
     m_table = tableIn(folder);
@@ -92,8 +92,9 @@ void SweepTest::everyRowIsARunOfItsOwn()
         const QString stiffness = row.at("material.youngs_modulus_pa");
         const QString size = row.at("manipulators.press.size_mm.0");
         QCOMPARE(size, QString::number(4 + point % 5));
-        const Outcome alone = knead({"run", m_recipe, "--json", "--set", "material.youngs_modulus_pa=" + stiffness,
-                                     "--set", "manipulators.press.size_mm.0=" + size, "--out", m_shop.qPath("alone")});
+        const Outcome alone =
+            runKnead({"run", m_recipe, "--json", "--set", "material.youngs_modulus_pa=" + stiffness, "--set",
+                      "manipulators.press.size_mm.0=" + size, "--out", m_shop.qPath("alone")});
         const json report = json::parse(alone.out);
         QCOMPARE(row.at("status"), QString("0"));
         QCOMPARE(row.at("state_hash").toStdString(), report.at("state_hash").get<std::string>());
@@ -110,7 +111,7 @@ void SweepTest::anyNumberOfJobsGivesTheSameTable()
 {
     const QString folder = m_shop.qPath("one");
     const QStringList more{"--jobs", "1", "--threads", "2"};
-    QCOMPARE(knead(sweepArguments(m_recipe, folder, twentyPoints() + more)).status, 0);
+    QCOMPARE(runKnead(sweepArguments(m_recipe, folder, twentyPoints() + more)).status, 0);
     QCOMPARE(tableIn(folder), m_table);
 }
 
@@ -134,7 +135,7 @@ void SweepTest::aKilledSweepGoesOn()
     QVERIFY(tableIn(folder).empty());
     const QDateTime first = QFileInfo(folder + "/points/00000.json").lastModified();
 
-    const Outcome outcome = knead(arguments);
+    const Outcome outcome = runKnead(arguments);
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QVERIFY2(outcome.out.starts_with("20 points, " + std::to_string(before) + " finished before, 0 failed\n"),
              outcome.out.c_str());
@@ -157,7 +158,7 @@ void SweepTest::anInterruptedSweepGoesOn()
     const int done = resultsIn(folder);
     QCOMPARE(said, "knead: interrupted after " + std::to_string(done) +
                        " of 6 points; the same command goes on from there.\n");
-    QCOMPARE(knead(arguments).status, 0);
+    QCOMPARE(runKnead(arguments).status, 0);
     QCOMPARE(lineCount(tableIn(folder)), std::size_t(7));
 }
 
@@ -193,7 +194,7 @@ void SweepTest::failuresAreRows()
     // A negative spacing is no recipe; a step of a second is not stable.
     const QStringList arguments = sweepArguments(
         m_recipe, folder, {"--zip", "--vary", "spacing_mm=5,-1,5", "--vary", "time_step_s=null,null,0.005"});
-    const Outcome outcome = knead(arguments);
+    const Outcome outcome = runKnead(arguments);
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.out.starts_with("3 points, 0 finished before, 2 failed\n"), outcome.out.c_str());
     const std::string sentence = "press.recipe.json with --set: spacing_mm must be a positive number, got -1.";
@@ -205,7 +206,7 @@ void SweepTest::failuresAreRows()
     QCOMPARE(cellsOf(table, 3).at("status"), QString("1"));
 
     // Failures are results: they are not made again.
-    const Outcome again = knead(arguments);
+    const Outcome again = runKnead(arguments);
     QCOMPARE(again.status, 1);
     QVERIFY2(again.out.starts_with("3 points, 3 finished before, 2 failed\n"), again.out.c_str());
     QCOMPARE(tableIn(folder), table);
@@ -214,7 +215,7 @@ void SweepTest::failuresAreRows()
 void SweepTest::whatCannotBeDoneIsRefused()
 {
     const auto refusal = [&](const QStringList& more) {
-        const Outcome outcome = knead(sweepArguments(m_recipe, m_shop.qPath("none"), more));
+        const Outcome outcome = runKnead(sweepArguments(m_recipe, m_shop.qPath("none"), more));
         return outcome.status == 2 && lineCount(outcome.errors) == 1 ? outcome.errors : "accepted";
     };
     QCOMPARE(
@@ -228,7 +229,7 @@ void SweepTest::whatCannotBeDoneIsRefused()
     QVERIFY(refusal({"--vary", "spacing_mm=5", "--engine", "cloud"}).starts_with("knead: --engine"));
     QVERIFY(!QFileInfo::exists(m_shop.qPath("none")));
 
-    const Outcome outcome = knead(sweepArguments(m_recipe, m_shop.qPath("bar.stl/out"), {"--vary", "spacing_mm=5"}));
+    const Outcome outcome = runKnead(sweepArguments(m_recipe, m_shop.qPath("bar.stl/out"), {"--vary", "spacing_mm=5"}));
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.errors.find("cannot be made; choose another one with --out.") != std::string::npos,
              outcome.errors.c_str());
@@ -253,14 +254,14 @@ void SweepTest::anotherSweepInTheFolderIsRefused()
     const Workshop shop;
     const QString recipe = shop.write(tinyRecipe(), "other.recipe.json");
     const QString folder = shop.qPath("out");
-    QCOMPARE(knead(sweepArguments(recipe, folder, {"--vary", "spacing_mm=5"})).status, 0);
+    QCOMPARE(runKnead(sweepArguments(recipe, folder, {"--vary", "spacing_mm=5"})).status, 0);
     const std::string table = tableIn(folder);
 
     if (difference.startsWith("other.recipe.json"))
         std::ofstream(shop.path("other.recipe.json"), std::ios::app) << "\n";
     if (difference.startsWith("bar.stl"))
         std::ofstream(shop.path("bar.stl"), std::ios::app) << "\n";
-    const Outcome outcome = knead(sweepArguments(recipe, folder, arguments));
+    const Outcome outcome = runKnead(sweepArguments(recipe, folder, arguments));
     QCOMPARE(outcome.status, 2);
     QCOMPARE(outcome.errors, "knead: " + folder.toStdString() +
                                  ": the sweep in this folder is another one: " + difference.toStdString() +
@@ -288,9 +289,9 @@ void SweepTest::anInputThatChangesMeanwhileStopsTheSweep()
 void SweepTest::restartBeginsAnew()
 {
     const QString folder = m_shop.qPath("restarted");
-    QCOMPARE(knead(sweepArguments(m_recipe, folder, {"--vary", "spacing_mm=5,6"})).status, 0);
+    QCOMPARE(runKnead(sweepArguments(m_recipe, folder, {"--vary", "spacing_mm=5,6"})).status, 0);
     std::ofstream((folder + "/notes.txt").toStdString()) << "mine";
-    const Outcome outcome = knead(sweepArguments(m_recipe, folder, {"--restart", "--vary", "spacing_mm=7"}));
+    const Outcome outcome = runKnead(sweepArguments(m_recipe, folder, {"--restart", "--yes", "--vary", "spacing_mm=7"}));
     QVERIFY2(outcome.out.starts_with("1 point, 0 finished before, 0 failed\n"), outcome.out.c_str());
     QCOMPARE(lineCount(tableIn(folder)), std::size_t(2));
     QCOMPARE(resultsIn(folder), 1);
@@ -301,10 +302,10 @@ void SweepTest::damagedResultsAreMadeAgain()
 {
     const QString folder = m_shop.qPath("damaged");
     const QStringList arguments = sweepArguments(m_recipe, folder, {"--vary", "spacing_mm=5,6"});
-    QCOMPARE(knead(arguments).status, 0);
+    QCOMPARE(runKnead(arguments).status, 0);
     const std::string table = tableIn(folder);
     std::ofstream((folder + "/points/00001.json").toStdString()) << "{\"sweep\": ";
-    const Outcome outcome = knead(arguments);
+    const Outcome outcome = runKnead(arguments);
     QVERIFY2(outcome.out.starts_with("2 points, 1 finished before, 0 failed\n"), outcome.out.c_str());
     QCOMPARE(tableIn(folder), table);
 }
@@ -313,7 +314,7 @@ void SweepTest::exportsAreKeptWhenAskedFor()
 {
     const QStringList arguments =
         sweepArguments(m_recipe, m_shop.qPath("exported"), {"--exports", "--vary", "duration_s=0.005,0.01"});
-    QCOMPARE(knead(arguments).status, 0);
+    QCOMPARE(runKnead(arguments).status, 0);
     QCOMPARE(m_shop.filesUnder("exported").filter(".stl"),
              (QStringList{"points/00000/bent.stl", "points/00001/bent.stl"}));
     QVERIFY(contentOf(m_shop.qPath("exported/points/00000/bent.stl")) !=

@@ -268,7 +268,7 @@ private slots:
         QFile::setPermissions(reader, QFile::ReadOwner | QFile::ExeOwner);
         setCadProgram(reader.toStdString());
         openAndWait({example("bracket.step")});
-        setCadProgram(KNEAD_PROGRAM);
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         QCOMPARE(m_window->banner().sentence(),
                  QString("bracket.step: the reader crashed while making shapes (memory access). Nothing was imported; "
                          "export the file again, best as STEP."));

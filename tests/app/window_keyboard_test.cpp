@@ -231,12 +231,14 @@ private slots:
     }
 
 private:
+    /// But those that describe a deformation before it is applied: they switch nothing of the window.
     template <class Widget>
     QList<Widget*> ofPanels()
     {
         QList<Widget*> all;
         for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>())
-            all += dock->findChildren<Widget*>();
+            if (dock->objectName() != "deformDock")
+                all += dock->findChildren<Widget*>();
         return all;
     }
 

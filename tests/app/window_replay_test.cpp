@@ -40,7 +40,7 @@ private slots:
     void theSameHashOnAnyNumberOfThreads()
     {
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead({"replay", m_project, "--all", "--json", "--threads", threads});
+            const Outcome outcome = workshop::runKnead({"replay", m_project, "--all", "--json", "--threads", threads});
             QVERIFY2(outcome.status == 0, (outcome.errors + outcome.out).c_str());
             const json report = json::parse(outcome.out);
             QCOMPARE(report.at("entries").size(), document().history().tree().records().size());
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(!shown.empty());
         for (const char* threads : {"1", "2"}) {
             const QString file = m_shop.qPath("replayed.") + ending;
-            const Outcome outcome = workshop::knead({"replay", m_project, "--threads", threads, "--export", file});
+            const Outcome outcome = workshop::runKnead({"replay", m_project, "--threads", threads, "--export", file});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QVERIFY(contentOf(file.toStdString()) == shown);
         }
@@ -74,18 +74,18 @@ private slots:
     void theSameHashAsARecipe()
     {
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead({"run", m_project, "--json", "--threads", threads});
+            const Outcome outcome = workshop::runKnead({"run", m_project, "--json", "--threads", threads});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QCOMPARE(json::parse(outcome.out).at("state_hash").get<std::string>(), presentHash());
         }
         const QString recipe = m_shop.qPath("session.recipe.json");
-        const Outcome written = workshop::knead({"recipe", m_project, "-o", recipe});
+        const Outcome written = workshop::runKnead({"recipe", m_project, "-o", recipe});
         QVERIFY2(written.status == 0, written.errors.c_str());
         const json said = json::parse(contentOf(recipe.toStdString()));
         QCOMPARE(QFileInfo(QString::fromStdString(said.at("part").at("file"))).fileName(), QString("bar.step"));
         QVERIFY2(said.at("events").dump().find("\"faces\":[") != std::string::npos, said.at("events").dump().c_str());
         QVERIFY2(said.at("events").dump().find("\"path\":[") != std::string::npos, said.at("events").dump().c_str());
-        const Outcome outcome = workshop::knead({"run", recipe, "--json"});
+        const Outcome outcome = workshop::runKnead({"run", recipe, "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         QCOMPARE(json::parse(outcome.out).at("state_hash").get<std::string>(), presentHash());
     }

@@ -93,14 +93,15 @@ const std::map<std::string, Expectation>& expectations()
 
 std::string allWords(const Model& model)
 {
-    std::vector<Message> sentences = model.warnings;
+    std::vector<knead::Message> sentences = model.warnings;
     sentences.insert(sentences.end(), model.missing.begin(), model.missing.end());
     for (const Part& part : model.parts) {
         sentences.insert(sentences.end(), part.warnings.begin(), part.warnings.end());
         sentences.insert(sentences.end(), part.repairs.begin(), part.repairs.end());
     }
-    return std::accumulate(sentences.begin(), sentences.end(), std::string(),
-                           [](const std::string& all, const Message& one) { return all + one.english() + "\n"; });
+    return std::accumulate(
+        sentences.begin(), sentences.end(), std::string(),
+        [](const std::string& all, const knead::Message& one) { return all + one.english() + "\n"; });
 }
 
 } // namespace

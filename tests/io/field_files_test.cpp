@@ -215,7 +215,7 @@ void FieldFilesTest::stepsAreChosen()
     const FieldFile one = read("steps", content.toStdString(), {.step = 1});
     QCOMPARE(one.step, 1U);
     QVERIFY(difference(one.field.displacements, sample(2).values, millimetre) < frdDigits);
-    const auto saysLast = [](const Message& message) {
+    const auto saysLast = [](const knead::Message& message) {
         return message.english().find("the last one was read") != std::string::npos;
     };
     QVERIFY(std::ranges::any_of(last.warnings, saysLast));

@@ -114,7 +114,7 @@ void FuzzRegressionTest::facesWithoutTrianglesAreTold()
     const Model model = importFile(write("bare.igs", text));
     QCOMPARE(flawOf(model), std::string());
     QVERIFY(std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) {
-        return std::any_of(part.warnings.begin(), part.warnings.end(), [](const Message& warning) {
+        return std::any_of(part.warnings.begin(), part.warnings.end(), [](const knead::Message& warning) {
             return warning.english().find("1 face that no triangles could be found for") != std::string::npos;
         });
     }));

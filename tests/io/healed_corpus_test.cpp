@@ -73,7 +73,7 @@ void HealedCorpusTest::surfacesBecomeSolidsWhereTheyBoundAVolume()
         if (part.solids > 0)
             QVERIFY(std::abs(massProperties(part.mesh).volume / part.volume - 1) < 1e-3);
         else
-            QVERIFY(std::any_of(part.warnings.begin(), part.warnings.end(), [](const Message& warning) {
+            QVERIFY(std::any_of(part.warnings.begin(), part.warnings.end(), [](const knead::Message& warning) {
                 return warning.english().find("open edges") != std::string::npos;
             }));
     }

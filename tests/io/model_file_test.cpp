@@ -32,17 +32,18 @@ Model fullModel()
     part.maxTolerance = 1e-7;
     part.visible = false;
     part.layer = "layer 7";
-    part.repairs = {Message("Repair", "%1 faces were sewn.").with(45)};
+    part.repairs = {knead::Message("Repair", "%1 faces were sewn.").with(45)};
     part.openEdges = {{Vec3(0, 0, 0), Vec3(1, 0, 0)}, {}, {Vec3(0.1, 0.2, 0.3)}};
-    part.warnings = {Message::verbatim("is odd.")};
+    part.warnings = {knead::Message::verbatim("is odd.")};
 
     Model model;
     model.file = "/home/ann/part.step";
     model.format = "STEP AP242";
     model.unit = "inch";
-    model.unitRemark = UnitRemark{Message("Unit", "It is large."), "mm"};
-    model.warnings = {Message::verbatim("one"), Message("Import", "%1 two").with(Message("Import", "of"))};
-    model.missing = {Message("Import", "\"%1\" is missing.").with("lid")};
+    model.unitRemark = UnitRemark{knead::Message("Unit", "It is large."), "mm"};
+    model.warnings = {knead::Message::verbatim("one"),
+                      knead::Message("Import", "%1 two").with(knead::Message("Import", "of"))};
+    model.missing = {knead::Message("Import", "\"%1\" is missing.").with("lid")};
     model.parts = {part, Part{}};
     model.tree = {"root", std::nullopt, {{"a", std::nullopt, {{"one", 0, {}}, {"two", 1, {}}}}, {"b", 1, {}}}};
     return model;
@@ -123,10 +124,10 @@ private slots:
 
     void aFailureIsToldFromAModel()
     {
-        const Message failure = Message("Import", "%1: no.").with("bad.step");
+        const knead::Message failure = knead::Message("Import", "%1: no.").with("bad.step");
         QCOMPARE(failureIn(failureToBytes(failure)), failure);
         QCOMPARE(failureIn(failureToBytes(failure)).english(), std::string("bad.step: no."));
-        const Message unreadable = Message("Import", "%1: no.").with("bad\xFF.step");
+        const knead::Message unreadable = knead::Message("Import", "%1: no.").with("bad\xFF.step");
         QCOMPARE(failureIn(failureToBytes(unreadable)).english(), unreadable.english());
         QVERIFY(failureIn(modelToBytes(fullModel())).empty());
         QVERIFY(failureIn({}).empty());

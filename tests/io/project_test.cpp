@@ -176,6 +176,17 @@ private slots:
         for (const std::size_t start : {1U, 2U})
             sample::giveSurfaces(project.starts[start], project.starts[start].model);
         project.view.hiddenParts = {1, static_cast<std::size_t>(deformed.parts.size() - 1)};
+        RecipeField field{.file = "/home/ann/warp \"1\".frd",
+                          .choice = {.step = 3, .name = "DISP", .unit = "inch", .isInPlace = true},
+                          .factor = -1.0 / 3};
+        field.kept = {{"Lid", {1, 2, 7}}};
+        field.fade = 0.01 / 3;
+        field.locked = {false, true, false};
+        project.starts[1].deformations = {
+            {.bodies = {"Lid", "a/b"},
+             .what = NumberDeformation{.kind = NumberKind::shear, .to = 1.0 / 7, .shift = 0.1, .eases = true},
+             .kFactor = 1.0 / 3},
+            {.bodies = {}, .what = field, .isApart = true}};
         writeProject(path("deformed.knead"), project);
         const Project again = readProject(path("deformed.knead"));
         QVERIFY(same::values(again, project));

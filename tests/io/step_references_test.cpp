@@ -1,53 +1,16 @@
 #include "io/importer.h"
+#include "support/step_machine.h"
 
-#include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <STEPCAFControl_Writer.hxx>
-#include <TDataStd_Name.hxx>
-#include <TDocStd_Document.hxx>
-#include <TopLoc_Location.hxx>
-#include <TopoDS_Shape.hxx>
-#include <XCAFApp_Application.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
 
 #include <fstream>
+
+#include <sys/stat.h>
 
 using namespace knead;
 
 namespace {
-
-/// Writes machine.stp, of a plate and two pins that are in files beside it, part_plate.stp and part_pin.stp.
-void writeMachine(const QString& folder)
-{
-    Handle(TDocStd_Document) document;
-    XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
-    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-    const TDF_Label machine = shapes->NewShape();
-    const TDF_Label plate = shapes->AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), false);
-    const TDF_Label pin = shapes->AddShape(BRepPrimAPI_MakeCylinder(5, 40).Shape(), false);
-    TDataStd_Name::Set(machine, "machine");
-    TDataStd_Name::Set(plate, "plate");
-    TDataStd_Name::Set(pin, "pin");
-    gp_Trsf up;
-    up.SetTranslation(gp_Vec(0, 0, 50));
-    gp_Trsf aside;
-    aside.SetTranslation(gp_Vec(40, 0, 0));
-    shapes->AddComponent(machine, plate, TopLoc_Location());
-    shapes->AddComponent(machine, pin, TopLoc_Location(up));
-    shapes->AddComponent(machine, pin, TopLoc_Location(aside));
-    shapes->UpdateAssemblies();
-    STEPCAFControl_Writer writer;
-    writer.SetNameMode(true);
-    const QString before = QDir::currentPath();
-    QVERIFY(QDir::setCurrent(folder)); // the other files go to where one is
-    const bool isWritten =
-        writer.Transfer(document, STEPControl_AsIs, "part_") && writer.Write("machine.stp") == IFSelect_RetDone;
-    QVERIFY(QDir::setCurrent(before));
-    QVERIFY(isWritten);
-}
 
 std::string refusalOf(const std::string& path)
 {
@@ -68,6 +31,7 @@ private slots:
     void init();
     void filesBesideAnAssemblyAreReadWithIt();
     void missingFilesAreNamed();
+    void filesElsewhereAndPipesAreRefused();
     void damagedFilesAreNamed();
     void filesOfCurvesOrTrianglesSaySo_data();
     void filesOfCurvesOrTrianglesSaySo();
@@ -81,7 +45,7 @@ private:
 void StepReferencesTest::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    writeMachine(m_folder->path());
+    QVERIFY(writeMachine(m_folder->path()));
 }
 
 void StepReferencesTest::filesBesideAnAssemblyAreReadWithIt()
@@ -108,6 +72,17 @@ void StepReferencesTest::missingFilesAreNamed()
     const std::string refusal = refusalOf(path("machine.stp"));
     QVERIFY2(refusal.find("2 files that are not there: part_pin.stp, part_plate.stp") != std::string::npos,
              refusal.c_str());
+}
+
+void StepReferencesTest::filesElsewhereAndPipesAreRefused()
+{
+    const QString pin = m_folder->filePath("part_pin.stp");
+    const QTemporaryDir elsewhere;
+    QVERIFY(QFile::rename(pin, elsewhere.filePath("pin.stp")) && QFile::link(elsewhere.filePath("pin.stp"), pin));
+    const std::string words = "the assembly refers to part_pin.stp, which is no ordinary file in its folder";
+    QVERIFY(refusalOf(path("machine.stp")).find(words) != std::string::npos);
+    QVERIFY(QFile::remove(pin) && mkfifo(qPrintable(pin), 0600) == 0);
+    QVERIFY(refusalOf(path("machine.stp")).find(words) != std::string::npos); // and is not waited for
 }
 
 void StepReferencesTest::damagedFilesAreNamed()

@@ -303,10 +303,35 @@ inline auto members(const ImportChoices& v)
     const auto& [a, b, c, d, e] = v;
     return std::tie(a, b, c, d, e);
 }
+inline auto members(const NumberDeformation& v)
+{
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+}
+inline auto members(const FieldChoice& v)
+{
+    const auto& [a, b, c, d] = v;
+    return std::tie(a, b, c, d);
+}
+inline auto members(const KeptFaces& v)
+{
+    const auto& [a, b] = v;
+    return std::tie(a, b);
+}
+inline auto members(const RecipeField& v)
+{
+    const auto& [a, b, c, d, e, f] = v;
+    return std::tie(a, b, c, d, e, f);
+}
+inline auto members(const RecipeDeformation& v)
+{
+    const auto& [a, b, c, d] = v;
+    return std::tie(a, b, c, d);
+}
 inline auto members(const ProjectStart& v)
 {
-    const auto& [a, b, c] = v;
-    return std::tie(a, b, c);
+    const auto& [a, b, c, d] = v;
+    return std::tie(a, b, c, d);
 }
 inline auto members(const ProjectMark& v)
 {

@@ -14,7 +14,7 @@ inline bool isPromised(const char* what)
 
 /// Skips a test where something is missing that not every machine has. Where it is promised, as by .ci/run, the test fails: else
 /// nobody would see that it is no longer run.
-/// @param what "display", "corpus" or "slurm" @param sentence what is missing and what to do about it
+/// @param what "display", "corpus", "slurm", "tools", "landlock" or "seccomp" @param sentence what is missing and what to do about it
 #define KNEAD_SKIP_WITHOUT(what, sentence)                                                                             \
     do {                                                                                                               \
         if (skipping::isPromised(what))                                                                                \

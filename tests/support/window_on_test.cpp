@@ -155,7 +155,7 @@ void WindowOnTest::prepare(Eyes eyes)
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, state.path());
     QApplication::setOrganizationName("knead-test");
     QApplication::setApplicationName("window-test");
-    setCadProgram(KNEAD_PROGRAM);
+    setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
     choosePreferences(eyes);
     m_services = fileServices();
     m_services.import = readingOnce(std::move(m_services.import), m_services.examplesFolder);

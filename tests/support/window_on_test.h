@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/gui.h"
 #include "support/skip.h"
 #include "ui/frame/features.h"

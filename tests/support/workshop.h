@@ -35,7 +35,7 @@ inline QProcessEnvironment serverEnvironment()
     return environment;
 }
 
-inline Outcome knead(const QStringList& arguments)
+inline Outcome runKnead(const QStringList& arguments)
 {
     QProcess process;
     process.setProcessEnvironment(serverEnvironment());
