@@ -107,7 +107,7 @@ void DescriptionsTest::bashOffers_data()
                                                              << "recipe replay results";
     QTest::newRow("files in place of commands") << "par"
                                                 << "part.step";
-    QTest::newRow("options of the program") << "--v"
+    QTest::newRow("options of the program") << "--vers"
                                             << "--version";
     QTest::newRow("options of a command") << "run --th"
                                           << "--threads";
