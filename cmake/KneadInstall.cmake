@@ -6,11 +6,18 @@ if(TARGET knead_cad_worker)
     add_dependencies(knead_shipped knead_cad_worker)
     install(TARGETS knead_cad_worker DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/knead)
 endif()
+if(TARGET knead_python)
+    add_dependencies(knead_shipped knead_python)
+endif()
 
 set(data ${CMAKE_INSTALL_DATADIR}/knead)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/examples DESTINATION ${data} PATTERN generator EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/examples DESTINATION ${data} PATTERN generator EXCLUDE
+    PATTERN library EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/handbook ${PROJECT_SOURCE_DIR}/resources/materials DESTINATION ${data})
 install(FILES ${PROJECT_SOURCE_DIR}/resources/recipe.schema.json DESTINATION ${data})
+# An add-on for FreeCAD, to be linked into its folder Mod; its icon is a link here.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/freecad DESTINATION ${data} PATTERN __pycache__ EXCLUDE PATTERN knead.svg EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/resources/icons/knead.svg DESTINATION ${data}/freecad/Knead)
 
 # Manual pages and completions come from the command line itself; what is shipped of texts is packed as Debian packs it.
 find_program(KNEAD_GZIP gzip REQUIRED)

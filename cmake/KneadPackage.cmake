@@ -26,6 +26,11 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(TARGET knead_python) # is of this Python, whose NumPy it takes
+    math(EXPR next "${Python_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS
+        "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS qt6-translations-l10n)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "calculix-ccx, slurm-client, spacenavd")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -33,3 +38,21 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/write_changelog.cmake)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 include(CPack)
+
+# What Knead's own build takes of numbers, threads and files is what its libraries are linked with.
+file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt lines)
+list(FILTER lines INCLUDE REGEX "^lib(eigen3|tbb|occt-[a-z-]+|assimp|expat1|png|sqlite3|sqlitecpp|zstd)-dev$|^zlib1g-dev$")
+list(JOIN lines ", " needed)
+
+# libknead-dev: the component development alone, see KneadLibrary.cmake.
+file(WRITE ${PROJECT_BINARY_DIR}/CPackDevelopmentConfig.cmake [=[
+include(${CMAKE_CURRENT_LIST_DIR}/CPackConfig.cmake)
+set(CPACK_PACKAGE_NAME libknead-dev)
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_CURRENT_LIST_DIR};knead;development;/")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "libraries of the CAD workbench Knead, for programs of one's own")
+set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS)
+]=])
+file(APPEND ${PROJECT_BINARY_DIR}/CPackDevelopmentConfig.cmake "set(CPACK_DEBIAN_PACKAGE_DEPENDS \"${needed}\")\n")

@@ -2,10 +2,10 @@
 
 #include "core/computing_versions.h"
 
-#include <Model/COM/NMR_DLLInterfaces.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <Standard_Version.hxx>
 #include <assimp/version.h>
+#include <expat.h>
 #include <nlohmann/json.hpp>
 #include <png.h>
 #include <sqlite3.h>
@@ -22,13 +22,10 @@ std::string assimpVersion()
            std::to_string(aiGetVersionPatch());
 }
 
-std::string lib3mfVersion()
+std::string expatVersion()
 {
-    DWORD major = 0;
-    DWORD minor = 0;
-    DWORD micro = 0;
-    NMR::lib3mf_getinterfaceversion(&major, &minor, &micro);
-    return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(micro);
+    const XML_Expat_Version expat = XML_ExpatVersionInfo();
+    return std::to_string(expat.major) + '.' + std::to_string(expat.minor) + '.' + std::to_string(expat.micro);
 }
 
 std::string sqliteCppVersion()
@@ -57,7 +54,7 @@ std::vector<LibraryVersion> libraryVersions()
             {"zlib", zlibVersion(), "zlib"},
             {"libpng", png_get_libpng_ver(nullptr), "libpng"},
             {"Assimp", assimpVersion(), "BSD"},
-            {"lib3mf", lib3mfVersion(), "BSD"},
+            {"Expat", expatVersion(), "MIT"},
             {"JSON for Modern C++", jsonVersion(), "MIT"}};
 }
 

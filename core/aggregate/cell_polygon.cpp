@@ -71,9 +71,9 @@ CellPolygon clipToCell(PolygonView polygon, int axis, std::int32_t cell, const C
     return cell < range.last ? halfBelow(result.span(), axis, cell + 1) : result;
 }
 
-Projection project(PolygonView polygon, double base)
+PolygonProjection project(PolygonView polygon, double base)
 {
-    Projection sum;
+    PolygonProjection sum;
     const Vec3& a = polygon[0];
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         const Vec3& b = polygon[i - 1];

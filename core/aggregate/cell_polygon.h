@@ -39,10 +39,10 @@ CellRange cellRange(PolygonView polygon, int axis, std::int32_t count);
 CellPolygon clipToCell(PolygonView polygon, int axis, std::int32_t cell, const CellRange& range);
 
 /// Integrals of a polygon over its projection along w, signed: positive where it faces +w.
-struct Projection {
+struct PolygonProjection {
     double area = 0;
     double areaTimesHeight = 0; ///< heights from w = `base`
 };
-Projection project(PolygonView polygon, double base);
+PolygonProjection project(PolygonView polygon, double base);
 
 } // namespace knead

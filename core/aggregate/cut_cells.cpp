@@ -167,14 +167,14 @@ private:
 
     static bool isWall(PolygonView polygon)
     {
-        const Projection projection = project(polygon, 0);
+        const PolygonProjection projection = project(polygon, 0);
         return projection.area == 0 && projection.areaTimesHeight == 0;
     }
 
     /// Material lies above a piece that faces -w, so its (negative) area enters with a minus.
     void addPiece(PolygonView piece, const Vec3& row, std::int32_t cell)
     {
-        const Projection projection = project(piece, cell + 1.0);
+        const PolygonProjection projection = project(piece, cell + 1.0);
         m_inCell[static_cast<std::size_t>(cell)] += projection.areaTimesHeight;
         m_area[static_cast<std::size_t>(cell)] -= projection.area;
         m_moments[static_cast<std::size_t>(cell)].add(piece, row + cell * Vec3::UnitZ());

@@ -13,7 +13,7 @@ namespace knead {
 namespace {
 
 using Place = ExactOrientation::Place;
-using Point = Crossings::Point;
+using Point = SurfaceCrossings::Point;
 
 constexpr double margin = 1e-3; // [cells], well above the jitter of the cracks
 constexpr std::size_t trianglesPerBlock = 1024;
@@ -198,7 +198,7 @@ private:
 
 } // namespace
 
-Crossings::Range Crossings::on(bool isOnCrack, std::uint32_t edge) const
+SurfaceCrossings::Range SurfaceCrossings::on(bool isOnCrack, std::uint32_t edge) const
 {
     const auto wanted = std::pair(isOnCrack, edge);
     const auto begin = std::lower_bound(points.begin(), points.end(), wanted, [](const Point& p, const auto& w) {
@@ -210,8 +210,8 @@ Crossings::Range Crossings::on(bool isOnCrack, std::uint32_t edge) const
     return {static_cast<std::uint32_t>(begin - points.begin()), static_cast<std::uint32_t>(end - points.begin())};
 }
 
-Crossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, const CrackSurface& cracks,
-                        const Lattice& frame, TaskControl& control)
+SurfaceCrossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, const CrackSurface& cracks,
+                               const Lattice& frame, TaskControl& control)
 {
     const Finder finder(skin, halfEdges, cracks, frame);
     const std::size_t count = skin.triangles.size();
@@ -221,7 +221,7 @@ Crossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, co
             finder.findOf(static_cast<std::uint32_t>(t), blocks[begin / trianglesPerBlock]);
     });
 
-    Crossings crossings;
+    SurfaceCrossings crossings;
     for (const std::vector<Found>& block : blocks)
         for (const Found& found : block) {
             crossings.points.push_back(found.start);

@@ -22,7 +22,7 @@ struct DegenerateCut : Problem {
 
 /// Where a surface is crossed by cracks. A point is where an edge of one passes through a triangle of the other, and is there
 /// once, however many triangles share the edge; a segment is where two triangles cross.
-struct Crossings {
+struct SurfaceCrossings {
     struct Point {
         bool isOnCrack = false;     ///< on an edge of the cracks, else of the surface
         std::uint32_t edge = 0;     ///< of the surface: the lower of its half-edges
@@ -62,7 +62,7 @@ inline std::uint32_t edgeOf(const HalfEdges& halfEdges, std::uint32_t halfEdge)
 /// Each pair of triangles is decided by exact orientations, so that segments always make whole lines.
 /// @param frame the lattice in whose cells the cracks are listed
 /// @throws DegenerateCut, Cancelled
-Crossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, const CrackSurface& cracks,
-                        const Lattice& frame, TaskControl& control);
+SurfaceCrossings findCrossings(const TriangleMesh& skin, const HalfEdges& halfEdges, const CrackSurface& cracks,
+                               const Lattice& frame, TaskControl& control);
 
 } // namespace knead

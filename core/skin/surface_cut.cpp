@@ -96,7 +96,7 @@ private:
     {
         std::vector<std::size_t> begins(edges + 1, 1);
         begins[0] = 0;
-        for (const Crossings::Point& point : m_crossings.points)
+        for (const SurfaceCrossings::Point& point : m_crossings.points)
             if (point.isOnCrack == onCrack)
                 ++begins[point.edge + 1];
         std::partial_sum(begins.begin(), begins.end(), begins.begin());
@@ -121,7 +121,7 @@ private:
 
     std::vector<std::uint32_t> pointsOn(bool onCrack, const Side& side) const
     {
-        const Crossings::Range range = m_crossings.on(onCrack, side.edge);
+        const SurfaceCrossings::Range range = m_crossings.on(onCrack, side.edge);
         std::vector<std::uint32_t> points;
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             points.push_back(crossingPoint(i));
@@ -131,7 +131,7 @@ private:
     }
 
     /// Segments of one triangle after the other.
-    std::vector<FaceSet::Divided> divideAll(bool onCrack, const std::vector<Crossings::Segment>& segments) const
+    std::vector<FaceSet::Divided> divideAll(bool onCrack, const std::vector<SurfaceCrossings::Segment>& segments) const
     {
         const auto triangleOf = [&](std::size_t i) {
             return onCrack ? segments[i].crackTriangle : segments[i].skinTriangle;
@@ -241,7 +241,7 @@ private:
     void addCracks()
     {
         const std::size_t count = m_cracks.triangles.size();
-        std::vector<Crossings::Segment> segments = m_crossings.segments;
+        std::vector<SurfaceCrossings::Segment> segments = m_crossings.segments;
         std::ranges::stable_sort(segments,
                                  [](const auto& a, const auto& b) { return a.crackTriangle < b.crackTriangle; });
         const std::vector<std::size_t> begins = stretchBegins(true, m_cracks.edges.size());
@@ -280,7 +280,7 @@ private:
     const LabeledNodes& m_nodes;
     HalfEdges m_halfEdges;
     CrackSurface m_cracks;
-    Crossings m_crossings;
+    SurfaceCrossings m_crossings;
     CutTriangles m_cut;
 };
 

@@ -3,7 +3,7 @@
 #include "core/model/file_formats.h"
 #include "core/model/readable_name.h"
 #include "io/files/lower_case.h"
-#include "io/formats/threemf/zip_names.h"
+#include "io/formats/threemf/zip_archive.h"
 
 #include <algorithm>
 #include <array>
@@ -76,9 +76,9 @@ std::optional<Message> markup(std::string_view head)
                    "this is an XML text and not one of the files that are read here; export the part as STEP.");
 }
 
-bool anyStartsWith(const std::vector<std::string>& names, std::string_view start)
+bool anyStartsWith(const std::vector<ZipEntry>& files, std::string_view start)
 {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(start); });
+    return std::ranges::any_of(files, [&](const ZipEntry& file) { return file.name.starts_with(start); });
 }
 
 } // namespace
@@ -92,12 +92,12 @@ std::optional<Message> foreignContent(std::string_view head)
 
 ZipContent zipContent(const std::string& path)
 {
-    const auto names = zipEntryNames(path);
-    if (!names)
+    const auto files = zipEntries(path);
+    if (!files)
         return {false, Message("Import", "this is a zip archive that is cut off or damaged; get it again.")};
     // A 3MF is known by its model; which file that is, its relations say, but all programs call it the same.
-    const auto isModel = [](const std::string& name) { return lowerCase(name).ends_with(".model"); };
-    if (std::any_of(names->begin(), names->end(), isModel))
+    const auto isModel = [](const ZipEntry& file) { return lowerCase(file.name).ends_with(".model"); };
+    if (std::ranges::any_of(*files, isModel))
         return {true, {}};
     struct Kind {
         std::string_view start;
@@ -110,14 +110,14 @@ ZipContent zipContent(const std::string& path)
         Kind{"Document.xml", Message("Import", "this is a FreeCAD document; export the part as STEP there.")},
     };
     for (const Kind& kind : kinds)
-        if (anyStartsWith(*names, kind.start))
+        if (anyStartsWith(*files, kind.start))
             return {false, kind.sentence};
-    if (names->size() == 1 && isNamedAs(FormatKind::Step, names->front()))
+    if (files->size() == 1 && isNamedAs(FormatKind::Step, files->front().name))
         return {
             false,
             Message("Import",
                     "this is a zip archive that holds \"%1\" (compressed STEP, stpz); unpack it and open that file.")
-                .with(readableName(std::string_view(names->front())))};
+                .with(readableName(std::string_view(files->front().name)))};
     return {false, Message("Import", "this is a zip archive; unpack it and open the file inside.")};
 }
 

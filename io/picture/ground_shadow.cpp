@@ -36,7 +36,7 @@ std::vector<float> blurredAndTurned(const std::vector<float>& map, int radius)
 
 } // namespace
 
-GroundShadow::GroundShadow(const std::vector<const TriangleMesh*>& meshes, const Vec3& up)
+PictureShadow::PictureShadow(const std::vector<const TriangleMesh*>& meshes, const Vec3& up)
     : m_up(up)
     , m_right(up.unitOrthogonal())
     , m_ahead(up.cross(m_right))
@@ -61,12 +61,12 @@ GroundShadow::GroundShadow(const std::vector<const TriangleMesh*>& meshes, const
         m_map = blurredAndTurned(m_map, radius);
 }
 
-Eigen::Vector2d GroundShadow::toMap(const Vec3& point) const
+Eigen::Vector2d PictureShadow::toMap(const Vec3& point) const
 {
     return {(m_right.dot(point) - m_left) / m_cell - 0.5, (m_ahead.dot(point) - m_near) / m_cell - 0.5};
 }
 
-void GroundShadow::cover(const std::array<Eigen::Vector2d, 3>& p)
+void PictureShadow::cover(const std::array<Eigen::Vector2d, 3>& p)
 {
     const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
     const double area = cross(p[1] - p[0], p[2] - p[0]);
@@ -84,7 +84,7 @@ void GroundShadow::cover(const std::array<Eigen::Vector2d, 3>& p)
                 m_map[static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column)] = 1;
 }
 
-double GroundShadow::at(const Vec3& point, const Vec3& forward) const
+double PictureShadow::at(const Vec3& point, const Vec3& forward) const
 {
     const Vec3 place = point + (m_height - m_up.dot(point)) / m_up.dot(forward) * forward;
     const Eigen::Vector2d onMap = toMap(place);

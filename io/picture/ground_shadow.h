@@ -8,10 +8,10 @@
 namespace knead {
 
 /// The soft shadow that things cast on the plane under them, lit from above.
-class GroundShadow {
+class PictureShadow {
 public:
     /// @param up unit
-    GroundShadow(const std::vector<const TriangleMesh*>& meshes, const Vec3& up);
+    PictureShadow(const std::vector<const TriangleMesh*>& meshes, const Vec3& up);
 
     /// 0 in full light, 1 in full shadow, at the point of the ground seen along `forward` through `point`.
     double at(const Vec3& point, const Vec3& forward) const;

@@ -285,7 +285,7 @@ private:
     Drawing m_solid;
     Drawing m_glass;
     Light m_light;
-    std::optional<GroundShadow> m_shadow;
+    std::optional<PictureShadow> m_shadow;
     std::vector<std::uint8_t> m_pixels;
 };
 

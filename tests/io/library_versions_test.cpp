@@ -49,7 +49,7 @@ private slots:
     void noneIsLeftOut()
     {
         for (const char* name : {"OpenCASCADE", "Eigen", "oneTBB", "SQLite", "SQLiteC++", "Zstandard", "zlib", "libpng",
-                                 "Assimp", "lib3mf", "JSON for Modern C++"})
+                                 "Assimp", "Expat", "JSON for Modern C++"})
             QVERIFY2(!versionOf(name).isEmpty(), name);
         QCOMPARE(libraryVersions().size(), std::size_t{11});
     }

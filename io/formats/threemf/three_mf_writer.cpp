@@ -15,9 +15,6 @@
 
 namespace knead {
 
-// By hand, since lib3mf holds two more copies of everything and writes millionths of the unit, too coarse for metres. It reads what
-// is written here in the tests.
-
 namespace {
 
 constexpr std::string_view contentTypes =
