@@ -9,11 +9,13 @@
 #include "app/commands/info_command.h"
 #include "app/commands/measure_command.h"
 #include "app/commands/morph_command.h"
+#include "app/commands/python_command.h"
 #include "app/commands/recipe_command.h"
 #include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/sweep_command.h"
 #include "app/commands/thumbnail_command.h"
+#include "app/commands/trace_command.h"
 #include "app/exit_status.h"
 #include "app/gui.h"
 #include "app/version_text.h"
@@ -22,8 +24,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -63,6 +67,7 @@ int runProgram(int argc, char** argv)
     program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")
         ->type_name("");
 
+    std::vector<std::string> arguments(argv + 1, argv + argc);
     int status = exit_status::done;
     addInfoCommand(program, status);
     addConvertCommand(program, status);
@@ -76,13 +81,16 @@ int runProgram(int argc, char** argv)
     addCompareCommand(program, status);
     addMorphCommand(program, status);
     addReplayCommand(program, status);
+    addTraceCommand(program, status);
+    addPythonCommand(program, takeScriptArguments(arguments), status);
     addApplyCommand(program, status);
     addFieldsCommand(program, status);
     addThumbnailCommand(program, status);
     addDescribeCommand(program, status);
 
     try {
-        program.parse(argc, argv);
+        std::ranges::reverse(arguments); // as the parser takes them
+        program.parse(std::move(arguments));
     } catch (const CLI::ParseError& error) {
         return explain(program, error);
     }

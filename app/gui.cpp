@@ -10,6 +10,7 @@
 #include "app/resources.h"
 #include "app/space_mouse.h"
 #include "app/thread_limit.h"
+#include "app/trace_services.h"
 #include "io/files/safe_file.h"
 #include "io/library_versions.h"
 #include "io/material_library.h"
@@ -55,6 +56,7 @@ Services fileServices()
     services.spaceMouse = listenToSpaceMouse;
     services.projects = projectServices();
     services.recipes = recipeServices();
+    services.traces = traceServices();
     return services;
 }
 

@@ -9,6 +9,9 @@ namespace knead {
 /// @throws std::runtime_error when neither exists, naming what was looked for.
 std::string resourcesFolder();
 
+/// The program whose resources these are: by default the running one. For programs that are not knead, such as Python.
+void setProgramWithResources(const std::string& path);
+
 /// The bundled materials. @throws as resourcesFolder()
 std::string materialsFile();
 

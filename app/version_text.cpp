@@ -12,10 +12,10 @@ namespace {
 
 std::string readerLine()
 {
-    const std::string program = cadProgramBeside(std::filesystem::read_symlink("/proc/self/exe").string());
+    const std::string reader = cadProgramBeside(std::filesystem::read_symlink("/proc/self/exe").string());
     std::error_code ignored;
-    return "Reader of files: " + program +
-           (std::filesystem::exists(program, ignored) ? "" : ", which is missing: files cannot be opened; install it");
+    return "Reader of files: " + reader +
+           (std::filesystem::exists(reader, ignored) ? "" : ", which is missing: files cannot be opened; install it");
 }
 
 std::string filesLine(const Confinement& here)

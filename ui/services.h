@@ -13,6 +13,7 @@
 #include "ui/interaction/space_motion.h"
 #include "ui/project/project_services.h"
 #include "ui/project/recipe_services.h"
+#include "ui/project/trace_services.h"
 
 #include <functional>
 #include <string>
@@ -58,6 +59,7 @@ struct Services {
 
     WriteAndRead writeAndRead; ///< of parts that are deformed
     ReadField readField;       ///< displacements of another program; may be empty
+    TraceServices traces;
 };
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "app/commands/command_output.h"
 
 #include "io/export/job_file.h"
+#include "io/files/safe_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,14 @@ namespace knead {
 void printAsJson(const nlohmann::ordered_json& json)
 {
     std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void putOut(const std::string& path, const std::string& text)
+{
+    if (!path.empty())
+        return writeFileSafely(path, text);
+    if (!(std::cout << text << std::flush))
+        throw Problem(Message("File", "the standard output takes no more; write into a file with --output."));
 }
 
 void printWarnings(const std::vector<Message>& warnings)

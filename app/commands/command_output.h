@@ -15,6 +15,9 @@ namespace knead {
 /// Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.
 void printAsJson(const nlohmann::ordered_json& json);
 
+/// Into a file, whole or not at all; without a path to the standard output. @throws Problem when it cannot be written
+void putOut(const std::string& path, const std::string& text);
+
 /// To the errors, a line each.
 void printWarnings(const std::vector<Message>& warnings);
 

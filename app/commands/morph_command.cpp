@@ -1,6 +1,5 @@
 #include "app/commands/morph_command.h"
 
-#include "app/cad_process.h"
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
 #include "app/commands/deformation_arguments.h"
@@ -10,12 +9,13 @@
 #include "app/export_arguments.h"
 #include "app/export_file.h"
 #include "app/import_arguments.h"
+#include "app/morph_file.h"
 #include "app/opened_shape.h"
 #include "core/message/message.h"
 #include "core/model/file_formats.h"
-#include "core/session/export_jobs.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <string>
@@ -42,35 +42,23 @@ struct MorphOptions {
     bool json = false;
 };
 
-ExportReport writeDeformed(const MorphOptions& options, const Model& model, const DeformationPlan& plan,
-                           TaskControl& control)
-{
-    ExportJob job = exportJobOf(model, {}, {});
-    job.options = asWished(options.write, job.options);
-    for (std::size_t p = 0; p < model.parts.size(); ++p)
-        if (plan.moves[p])
-            job.parts[p].deformations = plan.deformations;
-    const ExportReport report = exportFile(options.output, std::move(job), control);
-    if (options.report)
-        writeReportBeside(report);
-    return report;
-}
-
-int carryOutMorph(const MorphOptions& options, const std::vector<DeformationWish>& wishes)
+int carryOutMorph(const MorphOptions& options, std::vector<DeformationWish> wishes)
 {
     return carryOut([&](TerminalControl& control, int& failure) {
-        TaskPortion reading(control, 0, 0.2);
-        const Model model = importInChild(options.input, options.import, reading);
-        TaskPortion planning(control, 0.2, 0.5);
-        const DeformationPlan plan = planOf(wishes, model, partsNamed(model, options.parts), planning);
-        failure = exit_status::failed;
-        TaskPortion writing(control, 0.5, 1);
-        const ExportReport written = writeDeformed(options, model, plan, writing);
+        const auto isReady = [&failure] { failure = exit_status::failed; };
+        const MorphReport report = morphFile({.input = options.input,
+                                              .output = options.output,
+                                              .wishes = std::move(wishes),
+                                              .parts = options.parts,
+                                              .import = options.import,
+                                              .write = options.write},
+                                             control, isReady);
+        if (options.report)
+            writeReportBeside(report.written);
         control.clear();
-        printWarnings(remarksOnImport(model));
-        printWarnings(plan.remarks);
-        const MorphReport report{.model = model, .wishes = wishes, .plan = plan, .written = written};
-        options.json ? printMorphJson(report) : printMorph(report);
+        printWarnings(remarksOnImport(report.model));
+        printWarnings(report.plan.remarks);
+        options.json ? printAsJson(jsonOf(report)) : printMorph(report);
         return exit_status::done;
     });
 }
@@ -90,7 +78,7 @@ int morph(const MorphOptions& options)
     if (wishes.empty())
         return complain("nothing is said to deform the parts; give --field FILE, or a number such as --bend 90.",
                         exit_status::wrongUse);
-    return carryOutMorph(options, wishes);
+    return carryOutMorph(options, std::move(wishes));
 }
 
 } // namespace

@@ -145,7 +145,7 @@ void printMorph(const MorphReport& report)
     printWritten({}, {report.written});
 }
 
-void printMorphJson(const MorphReport& report)
+nlohmann::ordered_json jsonOf(const MorphReport& report)
 {
     const std::vector<Deformation>& deformations = *report.plan.deformations;
     Json json{{"file", report.model.file},
@@ -172,7 +172,7 @@ void printMorphJson(const MorphReport& report)
     }
     for (const Message& remark : report.plan.remarks)
         json["remarks"].push_back(remark.english());
-    printAsJson(json);
+    return json;
 }
 
 } // namespace knead

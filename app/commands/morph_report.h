@@ -1,25 +1,15 @@
 #pragma once
 
-#include "app/deformation_plan.h"
-#include "core/model/export_report.h"
-#include "core/model/part.h"
+#include "app/morph_file.h"
 
-#include <vector>
+#include <nlohmann/json_fwd.hpp>
 
 namespace knead {
 
-/// What `knead morph` says at its end.
-struct MorphReport {
-    const Model& model; ///< before
-    const std::vector<DeformationWish>& wishes;
-    const DeformationPlan& plan;
-    const ExportReport& written;
-};
-
-/// In lines for a person, to the output.
+/// What `knead morph` says at its end, in lines for a person, to the output.
 void printMorph(const MorphReport& report);
 
-/// As one JSON object.
-void printMorphJson(const MorphReport& report);
+/// What `knead morph --json` prints.
+nlohmann::ordered_json jsonOf(const MorphReport& report);
 
 } // namespace knead

@@ -7,7 +7,6 @@
 #include "app/first_recipe.h"
 #include "app/resources.h"
 #include "core/message/message.h"
-#include "io/files/safe_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
@@ -15,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -65,7 +63,7 @@ int recipe(const RecipeOptions& options)
         control.clear();
         printWarnings(remarks);
         failure = exit_status::failed;
-        options.output.empty() ? void(std::cout << text) : writeFileSafely(options.output, text);
+        putOut(options.output, text);
         return exit_status::done;
     });
 }

@@ -8,17 +8,14 @@
 #include "app/exit_status.h"
 #include "app/fields_at_nodes.h"
 #include "app/recipe_files.h"
-#include "app/resources.h"
+#include "app/recipe_to_run.h"
 #include "app/set_argument.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
 #include "core/message/message.h"
 #include "core/session/recipe_runner.h"
 #include "core/session/recipe_scene.h"
-#include "io/material_library.h"
-#include "io/project/project_file.h"
-#include "io/recipe/recipe_of_project.h"
-#include "io/recipe/recipe_reader.h"
+#include "io/recipe/recipe_override.h"
 #include "io/worker/own_process.h"
 
 #include <CLI/CLI.hpp>
@@ -149,28 +146,13 @@ int carryOutRecipe(const Recipe& recipe, const RunOptions& options, const WriteA
     }
 }
 
-/// What was done in a project, with the parts that it keeps. Where something is changed, what was set before the first step
-/// is the start, so that the change counts.
-Recipe recipeOfSession(const RunOptions& options, const std::vector<MaterialPreset>& presets,
-                       const std::vector<RecipeOverride>& changes)
-{
-    Project project = readProject(options.recipe);
-    if (!changes.empty())
-        project = withSettingsFirst(std::move(project));
-    const RecipeOfProjectChoices choices{
-        .recipePath = options.recipe, .projectPath = options.recipe, .namesProject = true};
-    const RecipeOfProject recipe = recipeOfProject(project, choices, presets);
-    printWarnings(recipe.remarks);
-    return readRecipeText(recipe.text, options.recipe, presets, changes);
-}
-
 Recipe recipeOf(const RunOptions& options)
 {
     std::vector<RecipeOverride> changes;
     std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
-    const std::vector<MaterialPreset> presets = readMaterials(materialsFile());
-    return isProjectFile(options.recipe) ? recipeOfSession(options, presets, changes)
-                                         : readRecipe(options.recipe, presets, changes);
+    RecipeToRun found = recipeToRun(options.recipe, changes);
+    printWarnings(found.remarks);
+    return std::move(found.recipe);
 }
 
 int run(const RunOptions& options)

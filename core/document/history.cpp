@@ -155,6 +155,14 @@ std::vector<History::Entry> History::pathTo(Entry entry) const
     return path;
 }
 
+std::vector<History::Entry> History::pathFromStart(Entry entry) const
+{
+    std::vector<Entry> path = pathTo(entry);
+    const auto isBegin = [this](Entry each) { return beginsStart(each); };
+    path.erase(path.begin(), std::find_if(path.rbegin(), path.rend(), isBegin).base() - 1);
+    return path;
+}
+
 std::vector<History::Entry> History::wayOn() const
 {
     std::vector<Entry> way;
@@ -172,10 +180,7 @@ Way History::wayTo(Entry entry) const
 {
     const HistoryRecord& target = m_records[entry];
     Way way{.start = target.start, .from = {}, .commands = {}, .step = target.step, .hash = target.hash, .parts = {}};
-    std::vector<Entry> path = pathTo(entry);
-    const auto isBegin = [this](Entry each) { return beginsStart(each); };
-    path.erase(path.begin(), std::find_if(path.rbegin(), path.rend(), isBegin).base() - 1);
-    for (const Entry each : path) {
+    for (const Entry each : pathFromStart(entry)) {
         const HistoryRecord& record = m_records[each];
         way.commands.insert(way.commands.end(), record.commands.begin(), record.commands.end());
         const ToolParts parts = toolPartsOf({}, record.commands);

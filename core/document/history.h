@@ -73,9 +73,10 @@ public:
 
     const std::vector<HistoryRecord>& records() const { return m_records; }
     const HistoryRecord& record(Entry entry) const { return m_records[entry]; }
-    std::vector<Entry> childrenOf(Entry entry) const; ///< in the order in which they were made
-    std::vector<Entry> pathTo(Entry entry) const;     ///< from the first entry on, both included
-    std::vector<Entry> wayOn() const;                 ///< where redo would go, one after the other
+    std::vector<Entry> childrenOf(Entry entry) const;    ///< in the order in which they were made
+    std::vector<Entry> pathTo(Entry entry) const;        ///< from the first entry on, both included
+    std::vector<Entry> pathFromStart(Entry entry) const; ///< the same from where its start begins
+    std::vector<Entry> wayOn() const;                    ///< where redo would go, one after the other
     Way wayTo(Entry entry) const;
     bool beginsStart(Entry entry) const; ///< its start is another one than that of the entry before
 

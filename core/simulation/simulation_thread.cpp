@@ -193,9 +193,19 @@ struct SimulationThread::Worker {
     Gesture endGesture()
     {
         Gesture gesture = knead::endGesture(simulation);
+        ++recording;
         if (script)
             script->ended(gesture);
         return gesture;
+    }
+
+    RecordingNews newsSince(const RecordingMark& known) const
+    {
+        const std::vector<RecordedCommand>& all = simulation.recording();
+        const std::size_t from = known.recording == recording ? std::min(known.commands, all.size()) : 0;
+        return {.after = {recording, from},
+                .commands = {all.begin() + static_cast<std::ptrdiff_t>(from), all.end()},
+                .step = simulation.stepCount()};
     }
 
     void goTo(const MomentPointer& moment)
@@ -204,6 +214,7 @@ struct SimulationThread::Worker {
         carry = 0;
         governor.forget();
         ++arrivals;
+        ++recording;
         simulation.goTo(moment);
         if (script)
             script->wentTo(*moment, simulation.stateHash());
@@ -263,6 +274,7 @@ struct SimulationThread::Worker {
     int steps = 0;
     double snapshotSeconds = 0;
     std::uint64_t arrivals = 0;
+    std::uint64_t recording = 1; ///< counts them
     std::uint64_t carriedOut = 0;
     std::uint64_t scriptEnds = 0;
     std::deque<Frame> frames;
@@ -332,6 +344,11 @@ void SimulationThread::lookAtGesture(std::function<void(std::vector<RecordedComm
         worker.simulation.applyCommands();
         told(worker.simulation.recording(), worker.simulation.stepCount());
     });
+}
+
+void SimulationThread::followGesture(RecordingMark known, std::function<void(RecordingNews)> told)
+{
+    m_worker->ask([known, told = std::move(told)](Worker& worker) { told(worker.newsSince(known)); });
 }
 
 void SimulationThread::goTo(MomentPointer moment)

@@ -10,6 +10,21 @@
 
 namespace knead {
 
+/// How much of a recording is known. Another number, another recording: each gesture and each going to a moment begins one.
+struct RecordingMark {
+    std::uint64_t recording = 0;
+    std::size_t commands = 0;
+
+    friend bool operator==(const RecordingMark&, const RecordingMark&) = default;
+};
+
+/// What came since.
+struct RecordingNews {
+    RecordingMark after; ///< what is known these follow; of another recording than was asked for: no commands
+    std::vector<RecordedCommand> commands; ///< at the end of the recording
+    std::uint64_t step = 0;                ///< at which the simulation is
+};
+
 /// Runs a Simulation in a thread of its own, in real time when the machine can: commands in, snapshots out.
 /// All members may be called from one other thread (the window's); none of them waits for a step to end.
 class SimulationThread {
@@ -45,6 +60,10 @@ public:
     /// where the simulation is now.
     /// @param told called on the simulation's thread, which waits for it
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
+
+    /// Looks at what came since the last time: takes no longer the longer the gesture is.
+    /// @param told as above
+    void followGesture(RecordingMark known, std::function<void(RecordingNews)> told);
 
     /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
     /// Snapshots from there on count one arrival more.

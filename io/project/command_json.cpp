@@ -263,4 +263,22 @@ std::vector<RecordedCommand> commandsFromJson(const std::string& text, const std
     return commands;
 }
 
+// --- one of them ----------------------------------------------------------------------------------------------------------
+
+std::string commandToJson(const Command& command, ToolPartTable& tools)
+{
+    FieldWriter fields(tools);
+    describeVariant(fields, "command", command);
+    return fields.take();
+}
+
+Command commandFromJson(const std::string& text, const std::string& source, const ToolPartTable& tools,
+                        std::size_t& longList)
+{
+    const FieldReader fields(JsonNode::readText(text, source), tools, longList);
+    Command command;
+    describeVariant(fields, "command", command);
+    return command;
+}
+
 } // namespace knead

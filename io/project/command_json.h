@@ -26,4 +26,10 @@ std::string commandsToJson(std::span<const RecordedCommand> commands, ToolPartTa
 std::vector<RecordedCommand> commandsFromJson(const std::string& text, const std::string& source,
                                               const ToolPartTable& tools, std::size_t& longList);
 
+/// One command alone, without a step: {"command": "remove-fixture", "fixture": 0}. Tool parts as above.
+std::string commandToJson(const Command& command, ToolPartTable& tools);
+/// @throws as commandsFromJson()
+Command commandFromJson(const std::string& text, const std::string& source, const ToolPartTable& tools,
+                        std::size_t& longList);
+
 } // namespace knead

@@ -170,6 +170,8 @@ RescuedProject rescueProject(const std::string& path, TaskControl& control)
         if (rescued.project.model == nullptr && rescued.project.starts.empty() && !rescued.missing.empty())
             failWithNothing(path);
         return rescued;
+    } catch (const DamagedData&) {
+        failWithNothing(path);
     } catch (const SQLite::Exception&) {
         control.throwIfCancelled();
         failWithNothing(path);

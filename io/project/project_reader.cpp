@@ -21,6 +21,9 @@ namespace knead {
 
 namespace {
 
+/// More is no damage, but a file that claims what it never held; the list of it would fill the memory.
+constexpr std::size_t mostMissing = 100'000;
+
 std::string_view textOf(const Bytes& bytes)
 {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -101,7 +104,7 @@ bool ProjectReader::attempt(const Message& what, const std::function<void()>& re
     } catch (const std::runtime_error& error) {
         m_control.throwIfCancelled(); // which SQLite tells as an error
         const Message sentence = Message::verbatim("%1 (%2)").with(what, messageOf(error));
-        if (!m_choices.rescues)
+        if (!m_choices.rescues || m_missing.size() >= mostMissing)
             throw DamagedData(sentence);
         m_missing.push_back(sentence);
         return false;

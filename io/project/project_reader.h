@@ -26,7 +26,7 @@ class ProjectReader {
 public:
     ProjectReader(SQLite::Database& database, const ReadingChoices& choices, TaskControl& control);
 
-    /// @throws DamagedData unless it rescues; Cancelled
+    /// @throws DamagedData unless it rescues, or when far too much is missing; Cancelled
     Project read();
 
     /// Does a part of the reading; what goes wrong is thrown as DamagedData, or listed as missing when it rescues.

@@ -152,6 +152,8 @@ inline void describePatch(const FieldReader& fields, Load& load)
     fields.list("box_m", corners);
     fields("objects", load.patch.objects);
     fields.list("carried", carried);
+    if (carried.size() != load.patch.objects.size())
+        fields.node().at("carried").failExpecting(Message("Recipe", "must have one item for each object"));
     if (corners.size() == 2)
         load.box = Box(corners[0].value, corners[1].value);
     for (const CarriedArea& one : carried) {

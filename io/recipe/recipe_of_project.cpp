@@ -26,6 +26,14 @@ bool isAsPublished(const Aggregate& aggregate)
     return !aggregate.weight.back().empty();
 }
 
+/// Moments are kept at the end of whatever a person does, a deformation too; after the first step time has gone on.
+bool changesAnything(const RecordedCommand& recorded)
+{
+    const bool isBookkeeping =
+        std::holds_alternative<KeepMoment>(recorded.command) || std::holds_alternative<SetPace>(recorded.command);
+    return recorded.step > 0 || !isBookkeeping;
+}
+
 class Writer {
 public:
     Writer(const Project& project, const RecipeOfProjectChoices& choices, const std::vector<MaterialPreset>& presets)
@@ -260,7 +268,8 @@ private:
         bool isAnyBefore = false;
         for (const History::Entry entry : history.pathTo(m_project.current)) {
             const HistoryRecord& record = history.record(entry);
-            isAnyBefore = isAnyBefore || (record.start != start && !record.commands.empty());
+            isAnyBefore =
+                isAnyBefore || (record.start != start && std::ranges::any_of(record.commands, changesAnything));
             if (entry != 0 && record.start != history.record(record.parent).start)
                 gestures.clear();
             if (record.start == start)

@@ -602,6 +602,14 @@
         <source>Do what was done here to another part, such as the next revision of this one</source>
         <translation>Mit einem anderen Teil, etwa der nächsten Revision von diesem, tun, was hier getan wurde</translation>
     </message>
+    <message>
+        <source>&amp;Python trace</source>
+        <translation>&amp;Python-Mitschrift</translation>
+    </message>
+    <message>
+        <source>Show what you do as a script for Python, as you do it</source>
+        <translation>Zeigen, was Sie tun, als Skript für Python, während Sie es tun</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2827,6 +2835,10 @@
         <source>No file can be made in memory (%1).</source>
         <translation>Im Speicher lässt sich keine Datei anlegen (%1).</translation>
     </message>
+    <message>
+        <source>the standard output takes no more; write into a file with --output.</source>
+        <translation>die Standardausgabe nimmt nichts mehr an; mit --output in eine Datei schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>
@@ -4249,6 +4261,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>There is no file to open.</source>
         <translation>Es gibt keine Datei zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF requires what is not read here (%2), and parts may be stand-ins; compare them with the program that wrote it.</source>
+        <translation>%1: die 3MF-Datei setzt voraus, was hier nicht gelesen wird (%2), und Teile können Platzhalter sein; sie mit dem Programm vergleichen, das sie schrieb.</translation>
     </message>
 </context>
 <context>
@@ -6962,6 +6978,69 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Python</name>
+    <message>
+        <source>There is no material &quot;%1&quot;; knead.Material.presets() lists their names.</source>
+        <translation>Es gibt kein Material „%1“; knead.Material.presets() nennt die Namen.</translation>
+    </message>
+    <message>
+        <source>%1 has no parts.</source>
+        <translation>%1 hat keine Teile.</translation>
+    </message>
+    <message>
+        <source>This tool is no longer in the simulation.</source>
+        <translation>Dieses Werkzeug ist nicht mehr in der Simulation.</translation>
+    </message>
+    <message>
+        <source>This simulation is in the midst of computing; ask for it when that is done.</source>
+        <translation>Diese Simulation rechnet gerade; fragen Sie sie, wenn das getan ist.</translation>
+    </message>
+    <message>
+        <source>A simulation needs a body; make one of a part with knead.fill().</source>
+        <translation>Eine Simulation braucht einen Körper; machen Sie mit knead.fill() einen aus einem Teil.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3.</source>
+        <translation>„%1“ hat keine Fläche %2; es hat %3.</translation>
+    </message>
+    <message>
+        <source>The fixture of &quot;%1&quot; holds nothing: no object lies there.</source>
+        <translation>Die Halterung von „%1“ hält nichts: dort liegt kein Objekt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no object %2; it has %3.</source>
+        <translation>„%1“ hat kein Objekt %2; es hat %3.</translation>
+    </message>
+    <message>
+        <source>Step %1 cannot be gone on to: the simulation is at step %2.</source>
+        <translation>Zum Schritt %1 geht es nicht weiter: die Simulation ist beim Schritt %2.</translation>
+    </message>
+    <message>
+        <source>A rotation is a quaternion (w, x, y, z) of length 1; knead.rotation(axis, angle) makes one.</source>
+        <translation>Eine Drehung ist ein Quaternion (w, x, y, z) der Länge 1; knead.rotation(axis, angle) macht eines.</translation>
+    </message>
+    <message>
+        <source>A key frame is (time, position) or (time, position, rotation).</source>
+        <translation>Ein Schlüsselbild ist (time, position) oder (time, position, rotation).</translation>
+    </message>
+    <message>
+        <source>There is no tool &quot;%1&quot;; there are box, ball, cylinder, wedge and plate.</source>
+        <translation>Es gibt kein Werkzeug „%1“; es gibt box, ball, cylinder, wedge und plate.</translation>
+    </message>
+    <message>
+        <source>The size of a tool is the diameter of a ball, (diameter, length) of a cylinder, and three lengths of all others, in metres.</source>
+        <translation>Die Größe eines Werkzeugs ist der Durchmesser einer Kugel, (Durchmesser, Länge) eines Zylinders und drei Längen aller anderen, in Metern.</translation>
+    </message>
+    <message>
+        <source>There is no choice &quot;%1&quot; here; there are: %2.</source>
+        <translation>Hier gibt es keine Wahl „%1“; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>This moment is of another simulation; go to one that this one has kept.</source>
+        <translation>Dieser Moment ist von einer anderen Simulation; gehen Sie zu einem, den diese behalten hat.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1x real time</source>
@@ -9619,6 +9698,10 @@ Simuliert: %2, Schritt %3
         <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
         <translation>Verschiebungen, FEM, CalculiX, Abaqus, Verzug, Rückfederung, Kompensation, Morphing, Feld, vtu, frd</translation>
     </message>
+    <message>
+        <source>script, macro, code, program, automate, journal</source>
+        <translation>Skript, Makro, Code, Programm, automatisieren, Protokoll, mitschreiben</translation>
+    </message>
 </context>
 <context>
     <name>TableKinds</name>
@@ -10001,6 +10084,71 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Strg+Z nimmt zurück, was immer getan wurde. Strg+K findet jeden Befehl, F1 öffnet das Handbuch, und dieser Rundgang steht im Menü Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>Trace</name>
+    <message>
+        <source>The project has no bodies that a script could fill.</source>
+        <translation>Das Projekt hat keine Körper, die ein Skript füllen könnte.</translation>
+    </message>
+    <message>
+        <source>Nothing was done in the project yet that a script could say.</source>
+        <translation>In dem Projekt wurde noch nichts getan, was ein Skript sagen könnte.</translation>
+    </message>
+    <message>
+        <source>A tool is an imported part, which only a saved project keeps: save the project first.</source>
+        <translation>Ein Werkzeug ist ein importiertes Teil, das nur ein gespeichertes Projekt behält: speichern Sie zuerst das Projekt.</translation>
+    </message>
+    <message>
+        <source>The parts are in no file as they are here: save the project first, from which the script then takes them.</source>
+        <translation>Die Teile sind in keiner Datei so, wie sie hier sind: speichern Sie zuerst das Projekt, aus dem das Skript sie dann nimmt.</translation>
+    </message>
+    <message>
+        <source>%1 has no entry %2; its last one is %3.</source>
+        <translation>%1 hat keinen Eintrag %2; der letzte ist %3.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceFeature</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Python-Mitschrift</translation>
+    </message>
+    <message>
+        <source>Save the Python trace</source>
+        <translation>Python-Mitschrift speichern</translation>
+    </message>
+    <message>
+        <source>Python scripts (*%1)</source>
+        <translation>Python-Skripte (*%1)</translation>
+    </message>
+</context>
+<context>
+    <name>TracePanel</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Python-Mitschrift</translation>
+    </message>
+    <message>
+        <source>Open a part: what you do is then written here as Python.</source>
+        <translation>Öffnen Sie ein Teil: was Sie tun, steht dann hier als Python.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole script</source>
+        <translation>Das ganze Skript kopieren</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Speichern unter...</translation>
+    </message>
+    <message>
+        <source>Write the script to a file; run, it comes to the same bits</source>
+        <translation>Das Skript in eine Datei schreiben; ausgeführt kommt es zu denselben Bits</translation>
     </message>
 </context>
 <context>

@@ -602,6 +602,14 @@
         <source>Do what was done here to another part, such as the next revision of this one</source>
         <translation>Faire à une autre pièce, comme la prochaine révision de celle-ci, ce qui a été fait ici</translation>
     </message>
+    <message>
+        <source>&amp;Python trace</source>
+        <translation>Trace &amp;Python</translation>
+    </message>
+    <message>
+        <source>Show what you do as a script for Python, as you do it</source>
+        <translation>Montrer ce que vous faites comme script Python, au fur et à mesure</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2827,6 +2835,10 @@
         <source>No file can be made in memory (%1).</source>
         <translation>Aucun fichier ne peut être créé en mémoire (%1).</translation>
     </message>
+    <message>
+        <source>the standard output takes no more; write into a file with --output.</source>
+        <translation>la sortie standard n&apos;accepte plus rien ; écrivez dans un fichier avec --output.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>
@@ -4249,6 +4261,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>There is no file to open.</source>
         <translation>Il n&apos;y a pas de fichier à ouvrir.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF requires what is not read here (%2), and parts may be stand-ins; compare them with the program that wrote it.</source>
+        <translation>%1 : le 3MF exige ce qui n&apos;est pas lu ici (%2), et des pièces peuvent être des substituts ; comparez-les avec le programme qui l&apos;a écrit.</translation>
     </message>
 </context>
 <context>
@@ -6962,6 +6978,69 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Python</name>
+    <message>
+        <source>There is no material &quot;%1&quot;; knead.Material.presets() lists their names.</source>
+        <translation>Il n&apos;y a pas de matériau « %1 » ; knead.Material.presets() donne leurs noms.</translation>
+    </message>
+    <message>
+        <source>%1 has no parts.</source>
+        <translation>%1 n&apos;a pas de pièces.</translation>
+    </message>
+    <message>
+        <source>This tool is no longer in the simulation.</source>
+        <translation>Cet outil n&apos;est plus dans la simulation.</translation>
+    </message>
+    <message>
+        <source>This simulation is in the midst of computing; ask for it when that is done.</source>
+        <translation>Cette simulation est en plein calcul ; interrogez-la quand il sera terminé.</translation>
+    </message>
+    <message>
+        <source>A simulation needs a body; make one of a part with knead.fill().</source>
+        <translation>Une simulation a besoin d&apos;un corps ; faites-en un d&apos;une pièce avec knead.fill().</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3.</source>
+        <translation>« %1 » n&apos;a pas de face %2 ; elle en a %3.</translation>
+    </message>
+    <message>
+        <source>The fixture of &quot;%1&quot; holds nothing: no object lies there.</source>
+        <translation>La fixation de « %1 » ne tient rien : aucun objet ne s&apos;y trouve.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no object %2; it has %3.</source>
+        <translation>« %1 » n&apos;a pas d&apos;objet %2 ; elle en a %3.</translation>
+    </message>
+    <message>
+        <source>Step %1 cannot be gone on to: the simulation is at step %2.</source>
+        <translation>On ne peut pas avancer jusqu&apos;au pas %1 : la simulation en est au pas %2.</translation>
+    </message>
+    <message>
+        <source>A rotation is a quaternion (w, x, y, z) of length 1; knead.rotation(axis, angle) makes one.</source>
+        <translation>Une rotation est un quaternion (w, x, y, z) de longueur 1 ; knead.rotation(axis, angle) en fait un.</translation>
+    </message>
+    <message>
+        <source>A key frame is (time, position) or (time, position, rotation).</source>
+        <translation>Une image clé est (time, position) ou (time, position, rotation).</translation>
+    </message>
+    <message>
+        <source>There is no tool &quot;%1&quot;; there are box, ball, cylinder, wedge and plate.</source>
+        <translation>Il n&apos;y a pas d&apos;outil « %1 » ; il y a box, ball, cylinder, wedge et plate.</translation>
+    </message>
+    <message>
+        <source>The size of a tool is the diameter of a ball, (diameter, length) of a cylinder, and three lengths of all others, in metres.</source>
+        <translation>La taille d&apos;un outil est le diamètre d&apos;une bille, (diamètre, longueur) d&apos;un cylindre et trois longueurs pour tous les autres, en mètres.</translation>
+    </message>
+    <message>
+        <source>There is no choice &quot;%1&quot; here; there are: %2.</source>
+        <translation>Il n&apos;y a pas de choix « %1 » ici ; il y a : %2.</translation>
+    </message>
+    <message>
+        <source>This moment is of another simulation; go to one that this one has kept.</source>
+        <translation>Ce moment est d&apos;une autre simulation ; allez à un moment que celle-ci a gardé.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1x real time</source>
@@ -9619,6 +9698,10 @@ Simulé&#xa0;: %2, pas %3
         <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
         <translation>déplacements, éléments finis, CalculiX, Abaqus, gauchissement, retour élastique, compensation, champ, vtu, frd</translation>
     </message>
+    <message>
+        <source>script, macro, code, program, automate, journal</source>
+        <translation>script, macro, code, programme, automatiser, journal</translation>
+    </message>
 </context>
 <context>
     <name>TableKinds</name>
@@ -10001,6 +10084,71 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Ctrl+Z annule tout ce que vous avez fait. Ctrl+K trouve toute commande, F1 ouvre le manuel, et cette visite est dans le menu Aide.</translation>
+    </message>
+</context>
+<context>
+    <name>Trace</name>
+    <message>
+        <source>The project has no bodies that a script could fill.</source>
+        <translation>Le projet n&apos;a pas de corps qu&apos;un script pourrait remplir.</translation>
+    </message>
+    <message>
+        <source>Nothing was done in the project yet that a script could say.</source>
+        <translation>Rien n&apos;a encore été fait dans le projet qu&apos;un script pourrait dire.</translation>
+    </message>
+    <message>
+        <source>A tool is an imported part, which only a saved project keeps: save the project first.</source>
+        <translation>Un outil est une pièce importée, que seul un projet enregistré garde : enregistrez d&apos;abord le projet.</translation>
+    </message>
+    <message>
+        <source>The parts are in no file as they are here: save the project first, from which the script then takes them.</source>
+        <translation>Les pièces ne sont dans aucun fichier telles qu&apos;elles sont ici : enregistrez d&apos;abord le projet, d&apos;où le script les prend ensuite.</translation>
+    </message>
+    <message>
+        <source>%1 has no entry %2; its last one is %3.</source>
+        <translation>%1 n&apos;a pas d&apos;entrée %2 ; la dernière est %3.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceFeature</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Trace Python</translation>
+    </message>
+    <message>
+        <source>Save the Python trace</source>
+        <translation>Enregistrer la trace Python</translation>
+    </message>
+    <message>
+        <source>Python scripts (*%1)</source>
+        <translation>Scripts Python (*%1)</translation>
+    </message>
+</context>
+<context>
+    <name>TracePanel</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Trace Python</translation>
+    </message>
+    <message>
+        <source>Open a part: what you do is then written here as Python.</source>
+        <translation>Ouvrez une pièce : ce que vous faites s&apos;écrit alors ici en Python.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the whole script</source>
+        <translation>Copier tout le script</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Enregistrer sous...</translation>
+    </message>
+    <message>
+        <source>Write the script to a file; run, it comes to the same bits</source>
+        <translation>Écrire le script dans un fichier ; exécuté, il arrive aux mêmes bits</translation>
     </message>
 </context>
 <context>

@@ -602,6 +602,14 @@
         <source>Do what was done here to another part, such as the next revision of this one</source>
         <translation>Met een ander onderdeel, zoals de volgende revisie van dit, doen wat hier is gedaan</translation>
     </message>
+    <message>
+        <source>&amp;Python trace</source>
+        <translation>&amp;Python-verslag</translation>
+    </message>
+    <message>
+        <source>Show what you do as a script for Python, as you do it</source>
+        <translation>Tonen wat u doet als script voor Python, terwijl u het doet</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2827,6 +2835,10 @@
         <source>No file can be made in memory (%1).</source>
         <translation>In het geheugen kan geen bestand worden gemaakt (%1).</translation>
     </message>
+    <message>
+        <source>the standard output takes no more; write into a file with --output.</source>
+        <translation>de standaarduitvoer neemt niets meer aan; schrijf met --output in een bestand.</translation>
+    </message>
 </context>
 <context>
     <name>Filling</name>
@@ -4249,6 +4261,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>There is no file to open.</source>
         <translation>Er is geen bestand om te openen.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF requires what is not read here (%2), and parts may be stand-ins; compare them with the program that wrote it.</source>
+        <translation>%1: de 3MF vereist wat hier niet wordt gelezen (%2), en onderdelen kunnen plaatsvervangers zijn; vergelijk ze met het programma dat het schreef.</translation>
     </message>
 </context>
 <context>
@@ -6962,6 +6978,69 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Python</name>
+    <message>
+        <source>There is no material &quot;%1&quot;; knead.Material.presets() lists their names.</source>
+        <translation>Er is geen materiaal &quot;%1&quot;; knead.Material.presets() noemt de namen.</translation>
+    </message>
+    <message>
+        <source>%1 has no parts.</source>
+        <translation>%1 heeft geen onderdelen.</translation>
+    </message>
+    <message>
+        <source>This tool is no longer in the simulation.</source>
+        <translation>Dit gereedschap is niet meer in de simulatie.</translation>
+    </message>
+    <message>
+        <source>This simulation is in the midst of computing; ask for it when that is done.</source>
+        <translation>Deze simulatie is aan het rekenen; vraag haar als dat klaar is.</translation>
+    </message>
+    <message>
+        <source>A simulation needs a body; make one of a part with knead.fill().</source>
+        <translation>Een simulatie heeft een lichaam nodig; maak er een van een onderdeel met knead.fill().</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no face %2; it has %3.</source>
+        <translation>&quot;%1&quot; heeft geen vlak %2; het heeft er %3.</translation>
+    </message>
+    <message>
+        <source>The fixture of &quot;%1&quot; holds nothing: no object lies there.</source>
+        <translation>De bevestiging van &quot;%1&quot; houdt niets vast: daar ligt geen object.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no object %2; it has %3.</source>
+        <translation>&quot;%1&quot; heeft geen object %2; het heeft er %3.</translation>
+    </message>
+    <message>
+        <source>Step %1 cannot be gone on to: the simulation is at step %2.</source>
+        <translation>Er kan niet naar stap %1 worden doorgegaan: de simulatie is bij stap %2.</translation>
+    </message>
+    <message>
+        <source>A rotation is a quaternion (w, x, y, z) of length 1; knead.rotation(axis, angle) makes one.</source>
+        <translation>Een draaiing is een quaternion (w, x, y, z) met lengte 1; knead.rotation(axis, angle) maakt er een.</translation>
+    </message>
+    <message>
+        <source>A key frame is (time, position) or (time, position, rotation).</source>
+        <translation>Een sleutelbeeld is (time, position) of (time, position, rotation).</translation>
+    </message>
+    <message>
+        <source>There is no tool &quot;%1&quot;; there are box, ball, cylinder, wedge and plate.</source>
+        <translation>Er is geen gereedschap &quot;%1&quot;; er zijn box, ball, cylinder, wedge en plate.</translation>
+    </message>
+    <message>
+        <source>The size of a tool is the diameter of a ball, (diameter, length) of a cylinder, and three lengths of all others, in metres.</source>
+        <translation>De grootte van een gereedschap is de diameter van een kogel, (diameter, lengte) van een cilinder en drie lengten van alle andere, in meters.</translation>
+    </message>
+    <message>
+        <source>There is no choice &quot;%1&quot; here; there are: %2.</source>
+        <translation>Er is hier geen keuze &quot;%1&quot;; er zijn: %2.</translation>
+    </message>
+    <message>
+        <source>This moment is of another simulation; go to one that this one has kept.</source>
+        <translation>Dit moment is van een andere simulatie; ga naar een moment dat deze heeft bewaard.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>%1x real time</source>
@@ -9619,6 +9698,10 @@ Gesimuleerd: %2, stap %3
         <source>displacements, FEM, FEA, CalculiX, Abaqus, warpage, springback, compensation, morph, field, vtu, frd</source>
         <translation>verplaatsingen, EEM, CalculiX, Abaqus, kromtrekken, terugvering, compensatie, veld, vtu, frd</translation>
     </message>
+    <message>
+        <source>script, macro, code, program, automate, journal</source>
+        <translation>script, macro, code, programma, automatiseren, logboek</translation>
+    </message>
 </context>
 <context>
     <name>TableKinds</name>
@@ -10001,6 +10084,71 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Ctrl+Z takes back whatever you did. Ctrl+K finds any command, F1 opens the handbook, and this tour is in the menu Help.</source>
         <translation>Ctrl+Z neemt terug wat u ook deed. Ctrl+K vindt elke opdracht, F1 opent het handboek, en deze rondleiding staat in het menu Help.</translation>
+    </message>
+</context>
+<context>
+    <name>Trace</name>
+    <message>
+        <source>The project has no bodies that a script could fill.</source>
+        <translation>Het project heeft geen lichamen die een script zou kunnen vullen.</translation>
+    </message>
+    <message>
+        <source>Nothing was done in the project yet that a script could say.</source>
+        <translation>In het project is nog niets gedaan wat een script zou kunnen zeggen.</translation>
+    </message>
+    <message>
+        <source>A tool is an imported part, which only a saved project keeps: save the project first.</source>
+        <translation>Een gereedschap is een geïmporteerd onderdeel, dat alleen een opgeslagen project bewaart: sla eerst het project op.</translation>
+    </message>
+    <message>
+        <source>The parts are in no file as they are here: save the project first, from which the script then takes them.</source>
+        <translation>De onderdelen staan in geen bestand zoals ze hier zijn: sla eerst het project op, waaruit het script ze dan neemt.</translation>
+    </message>
+    <message>
+        <source>%1 has no entry %2; its last one is %3.</source>
+        <translation>%1 heeft geen regel %2; de laatste is %3.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceFeature</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Python-verslag</translation>
+    </message>
+    <message>
+        <source>Save the Python trace</source>
+        <translation>Python-verslag opslaan</translation>
+    </message>
+    <message>
+        <source>Python scripts (*%1)</source>
+        <translation>Python-scripts (*%1)</translation>
+    </message>
+</context>
+<context>
+    <name>TracePanel</name>
+    <message>
+        <source>Python trace</source>
+        <translation>Python-verslag</translation>
+    </message>
+    <message>
+        <source>Open a part: what you do is then written here as Python.</source>
+        <translation>Open een onderdeel: wat u doet, staat hier dan als Python.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiëren</translation>
+    </message>
+    <message>
+        <source>Copy the whole script</source>
+        <translation>Het hele script kopiëren</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Opslaan als...</translation>
+    </message>
+    <message>
+        <source>Write the script to a file; run, it comes to the same bits</source>
+        <translation>Het script naar een bestand schrijven; uitgevoerd komt het op dezelfde bits uit</translation>
     </message>
 </context>
 <context>

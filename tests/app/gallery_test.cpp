@@ -1,4 +1,5 @@
 #include "gallery/gallery.h"
+#include "support/deep.h"
 
 #include <QDir>
 #include <QImage>
@@ -53,7 +54,8 @@ void GalleryTest::piecesAreSoundAndSmooth_data()
 {
     QTest::addColumn<int>("index");
     const std::vector<gallery::Piece> pieces = gallery::read(folder);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < pieces.size();
+         i += loadOf<std::size_t>(3, 1)) // four of them are one of each kind of work
         QTest::newRow(pieces[i].name.c_str()) << static_cast<int>(i);
 }
 
@@ -79,9 +81,11 @@ void GalleryTest::piecesAreSoundAndSmooth()
 void GalleryTest::pageShowsAllPieces()
 {
     const QString page = QString::fromStdString(gallery::pageOf(m_pieces));
-    QCOMPARE(page.count("<section"), 10);
-    QCOMPARE(page.count("<img"), 20);
-    QCOMPARE(page.count(">STEP</a>"), 10);
+    const auto count = static_cast<qsizetype>(m_pieces.size());
+    QCOMPARE(count, loadOf(4, 10));
+    QCOMPARE(page.count("<section"), count);
+    QCOMPARE(page.count("<img"), 2 * count);
+    QCOMPARE(page.count(">STEP</a>"), count);
     QVERIFY(!page.contains("class='fault'"));
 }
 

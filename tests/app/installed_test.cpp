@@ -1,7 +1,7 @@
 // What cmake --install leaves in a folder, and that the program runs from there.
 #include "io/project/packing.h"
 #include "io/project/project_file.h"
-#include "support/outside_program.h"
+#include "support/build_settings.h"
 #include "support/pressed_part.h"
 
 #include <QtTest>
@@ -29,18 +29,15 @@ private slots:
 private:
     QString file(const QString& name) const { return m_prefix.filePath(name); }
     QByteArray bytesOf(const QString& name) const;
-    QByteArray setting(const char* name) const;
     Outcome installed(const QStringList& arguments) const;
 
-    const QString m_build = QFileInfo(KNEAD_PROGRAM).dir().absoluteFilePath("..");
     QTemporaryDir m_prefix;
     QTemporaryDir m_home;
 };
 
 void InstalledTest::initTestCase()
 {
-    const Outcome outcome =
-        outside("cmake", {"--install", m_build, "--strip", "--prefix", m_prefix.path()}, m_home.path());
+    const Outcome outcome = installInto(m_prefix.path(), {"--strip"}, m_home.path());
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
 }
 
@@ -48,17 +45,6 @@ QByteArray InstalledTest::bytesOf(const QString& name) const
 {
     QFile opened(file(name));
     return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
-}
-
-/// What the build was configured with.
-QByteArray InstalledTest::setting(const char* name) const
-{
-    QFile cache(QDir(m_build).filePath("CMakeCache.txt"));
-    if (cache.open(QIODevice::ReadOnly))
-        for (const QByteArray& line : cache.readAll().split('\n'))
-            if (line.startsWith(QByteArray(name) + ':'))
-                return line.mid(line.indexOf('=') + 1);
-    return {};
 }
 
 /// The installed program, which knows of nothing but the system.
@@ -80,6 +66,8 @@ void InstalledTest::allFilesAreThere_data()
                              "share/knead/handbook/keys.md",
                              "share/knead/materials/materials.json",
                              "share/knead/recipe.schema.json",
+                             "share/knead/freecad/Knead/package.xml",
+                             "share/knead/freecad/Knead/knead.svg",
                              "share/applications/org.knead.Knead.desktop",
                              "share/metainfo/org.knead.Knead.metainfo.xml",
                              "share/mime/packages/org.knead.Knead.xml",
@@ -116,14 +104,16 @@ void InstalledTest::nothingElseIsThere()
     }
     const QStringList folders = QDir(m_prefix.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
     for (const QString& folder : folders)
-        QVERIFY2((QStringList{"bin", "libexec", "share"}.contains(folder)), qPrintable(folder));
+        QVERIFY2((QStringList{"bin", "lib", "libexec", "share"}.contains(folder)), qPrintable(folder));
+    for (const QString& folder : QDir(file("lib")).entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        QCOMPARE(folder, QString("python3")); // the module, where it is built
 }
 
 /// What counts lines or checks memory says where these are.
 void InstalledTest::noPathOfTheSourcesIsInside()
 {
-    const bool isWhatPeopleRun = setting("KNEAD_SANITIZE").isEmpty() && setting("KNEAD_COVERAGE") != "ON";
-    const QByteArray sources = setting("CMAKE_HOME_DIRECTORY");
+    const bool isWhatPeopleRun = buildSetting("KNEAD_SANITIZE").isEmpty() && buildSetting("KNEAD_COVERAGE") != "ON";
+    const QByteArray sources = buildSetting("CMAKE_HOME_DIRECTORY");
     QVERIFY(!sources.isEmpty());
     QDirIterator files(m_prefix.path(), QDir::Files, QDirIterator::Subdirectories);
     while (files.hasNext()) {

@@ -61,7 +61,8 @@ private slots:
             {"propertiesDock", "panel"},     {"displayDock", "Display"},       {"handsDock", "panel Hands"},
             {"timelineDock", "Timeline"},    {"logDock", "The Log"},           {"importDock", "Import report"},
             {"exportDock", "Export report"}, {"deformDock", "Stays in place"}, {"performanceDock", "fast"},
-            {"measureDock", "Measure"},      {"probeDock", "Probes"},          {"forcesDock", "Forces over time"}};
+            {"measureDock", "Measure"},      {"probeDock", "Probes"},          {"forcesDock", "Forces over time"},
+            {"traceDock", "Python trace"}};
         openExample("bar.step", 10);
         int docks = 0;
         for (auto* dock : m_window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {

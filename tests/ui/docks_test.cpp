@@ -14,9 +14,9 @@ class DocksTest : public QObject {
 
     static std::vector<const char*> names()
     {
-        return {"modelDock",       "historyDock",  "simulationDock", "propertiesDock", "displayDock",
-                "handsDock",       "timelineDock", "logDock",        "importDock",     "exportDock",
-                "performanceDock", "measureDock",  "probeDock",      "forcesDock",     "deformDock"};
+        return {"modelDock",    "historyDock", "simulationDock", "propertiesDock", "displayDock",     "handsDock",
+                "timelineDock", "logDock",     "importDock",     "exportDock",     "performanceDock", "measureDock",
+                "probeDock",    "forcesDock",  "deformDock",     "traceDock"};
     }
 
     static void add(Docks& docks, const std::vector<const char*>& names)
@@ -50,7 +50,7 @@ private slots:
             QCOMPARE(besides, besidesTurned);
         }
         QCOMPARE(one.tabifiedDockWidgets(&docks.of("propertiesDock")).size(), 3);
-        QCOMPARE(one.tabifiedDockWidgets(&docks.of("logDock")).size(), 6);
+        QCOMPARE(one.tabifiedDockWidgets(&docks.of("logDock")).size(), 7);
         QVERIFY(one.tabifiedDockWidgets(&docks.of("timelineDock")).empty());
     }
 
@@ -76,7 +76,7 @@ private slots:
         int hidden = 0;
         for (const char* name : names())
             hidden += docks.of(name).isHidden() ? 1 : 0;
-        QCOMPARE(hidden, 4);
+        QCOMPARE(hidden, 5);
         docks.show("probeDock");
         QVERIFY(!docks.of("probeDock").isHidden());
     }

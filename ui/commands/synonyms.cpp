@@ -23,6 +23,7 @@ std::span<const SynonymRow> synonymRows()
         {"save", QT_TRANSLATE_NOOP("Synonyms", "write, store, keep, project")},
         {"saveAs", QT_TRANSLATE_NOOP("Synonyms", "write as, copy, duplicate")},
         {"export", QT_TRANSLATE_NOOP("Synonyms", "STEP, IGES, STL, mesh, 3D print, print, write, convert, CAD")},
+        {"pythonTrace", QT_TRANSLATE_NOOP("Synonyms", "script, macro, code, program, automate, journal")},
         {"exportRecipe", QT_TRANSLATE_NOOP("Synonyms", "script, macro, batch, automate")},
         {"applyToPart", QT_TRANSLATE_NOOP("Synonyms", "revision, version, transfer, repeat, other part")},
         {"savePicture", QT_TRANSLATE_NOOP("Synonyms", "screenshot, image, photo, snapshot, PNG, JPEG, render")},

@@ -168,6 +168,10 @@ public:
     /// Looks at the gesture under way, see SimulationThread::lookAtGesture().
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
+    /// Follows the gesture under way, see SimulationThread::followGesture().
+    /// @param told in this thread, after all gestures that ended before are entries of the history; not for another document
+    void followGesture(RecordingMark known, std::function<void(const RecordingNews&)> told);
+
     /// Whether frames tell what presses on each object, see Simulation::showPressing().
     void showPressing(bool on);
 

@@ -223,4 +223,20 @@ void Document::lookAtGesture(std::function<void(std::vector<RecordedCommand>, st
         m_simulation->lookAtGesture(std::move(told));
 }
 
+/// By way of the thread that packs gestures, so that it comes after them.
+void Document::followGesture(RecordingMark known, std::function<void(const RecordingNews&)> told)
+{
+    if (!m_simulation)
+        return;
+    m_simulation->followGesture(known, [this, generation = m_generation, told = std::move(told)](RecordingNews news) {
+        m_history.inBackground([this, generation, told, news = std::move(news)] {
+            const auto tell = [this, generation, told, news] {
+                if (generation == m_generation)
+                    told(news);
+            };
+            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        });
+    });
+}
+
 } // namespace knead

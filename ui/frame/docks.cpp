@@ -24,7 +24,7 @@ struct DockPlace {
     bool isShownAtFirst = true;
 };
 
-constexpr std::array<DockPlace, 15> dockPlaces{{
+constexpr std::array<DockPlace, 16> dockPlaces{{
     {"modelDock", Qt::LeftDockWidgetArea, {}},
     {"historyDock", Qt::LeftDockWidgetArea, "modelDock"},
     {"simulationDock", Qt::LeftDockWidgetArea, "modelDock"},
@@ -40,6 +40,7 @@ constexpr std::array<DockPlace, 15> dockPlaces{{
     {.name = "measureDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
     {.name = "probeDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
     {.name = "forcesDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
+    {.name = "traceDock", .area = Qt::BottomDockWidgetArea, .with = "logDock", .isShownAtFirst = false},
 }};
 
 const DockPlace& dockPlaceOf(std::string_view name)

@@ -16,6 +16,7 @@
 #include "ui/recording/recording_feature.h"
 #include "ui/selection/selection_feature.h"
 #include "ui/simulation/simulation_feature.h"
+#include "ui/tracing/trace_feature.h"
 #include "ui/viewport/views_feature.h"
 
 namespace knead {
@@ -39,6 +40,7 @@ struct Features {
     RecordingFeature* recording = nullptr;
     PreferencesFeature* preferences = nullptr;
     HelpFeature* help = nullptr;
+    TraceFeature* trace = nullptr;
 };
 
 } // namespace knead

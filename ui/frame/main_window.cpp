@@ -202,6 +202,7 @@ void MainWindow::makeFeatures()
     f.deforming = new DeformFeature(bench, *m_modes);
     connect(f.deforming, &DeformFeature::applied, f.exports, &ExportFeature::showDeformed);
     f.recording = new RecordingFeature(bench);
+    f.trace = new TraceFeature(bench, f.projects->keeper());
     f.selection = new SelectionFeature(
         bench, {*f.simulation, *f.hands, *m_modes, *m_tree, *m_properties, *m_materials, *m_display});
     f.help = new HelpFeature(bench);

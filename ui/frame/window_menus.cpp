@@ -100,6 +100,8 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     tools->addMenu(&f.hands->addToolMenu());
     tools->addActions({f.hands->actions().fixFaces, f.hands->actions().remove});
     f.hands->hands().addTo(tools);
+    tools->addSeparator();
+    tools->addAction(f.trace->action());
 
     QMenu* measure = f.measuring->menu();
     f.measuring->measuring().fillMenu(measure); // with what others pick

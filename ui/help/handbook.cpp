@@ -29,10 +29,10 @@ const std::vector<Page>& pages()
 {
     static const std::vector<Page> all = [] {
         std::vector<Page> read;
-        for (const char* name :
-             {"keys",        "opening",      "hands",     "selecting", "seeing",       "measuring",    "history",
-              "keeping",     "exporting",    "deforming", "fields",    "compensating", "nodes",        "revisions",
-              "preferences", "command-line", "recipes",   "mechanics", "speed",        "construction", "limits"})
+        for (const char* name : {"keys",      "opening",   "hands",        "selecting",    "seeing",  "measuring",
+                                 "history",   "keeping",   "exporting",    "deforming",    "fields",  "compensating",
+                                 "nodes",     "revisions", "preferences",  "command-line", "recipes", "python",
+                                 "mechanics", "speed",     "construction", "limits"})
             read.push_back(handbook::read(name));
         return read;
     }();
@@ -76,6 +76,7 @@ QString pageOfPlace(const QString& name)
         {"measureDock", "measuring"},
         {"probeDock", "measuring"},
         {"forcesDock", "hands"},
+        {"traceDock", "python"},
         {"sculptBar", "hands"},
         {"selectionBar", "selecting"},
         {"homePage", "opening"},
