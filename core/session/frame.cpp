@@ -1,5 +1,6 @@
 #include "core/session/frame.h"
 
+#include "core/session/ambient_shade.h"
 #include "core/session/contact_shade.h"
 #include "core/session/crack_gaps.h"
 #include "core/session/relief.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -41,8 +43,14 @@ void shadeContacts(Frame& frame, const Snapshot& snapshot, const FramePointer& p
         frame.contactShades = previous->contactShades;
         return;
     }
+    const MaterialAround material(snapshot.bodies);
     for (const auto& body : frame.bodies) {
         std::vector<float> shades = contactShades(body->points, body->normals, snapshot.tools);
+        const std::vector<float> around = ambientShades(body->points, body->normals, material);
+        if (shades.empty())
+            shades = around;
+        else if (!around.empty())
+            std::ranges::transform(shades, around, shades.begin(), std::multiplies());
         frame.contactShades.push_back(shades.empty() ? nullptr
                                                      : std::make_shared<const std::vector<float>>(std::move(shades)));
     }

@@ -16,7 +16,8 @@ struct Frame {
     SnapshotPointer snapshot;
     std::vector<std::shared_ptr<const BodyFrame>> bodies;
     FilledBodies filled; ///< the bodies as they are filled in the snapshot
-    /// Per body, of tools beside it, see contactShades(); null: none is near. Empty where nobody asked for them.
+    /// Per body and render vertex: what tools, see contactShades(), hollows and other bodies, see MaterialAround, leave of the light.
+    /// Null or empty: all of it.
     std::vector<std::shared_ptr<const std::vector<float>>> contactShades;
     bool lags = false; ///< a crack is drawn as it was a moment ago
 };

@@ -3,6 +3,7 @@
 #include "core/aggregate/fill.h"
 #include "core/message/message.h"
 #include "core/model/file_names.h"
+#include "core/model/joined_model.h"
 #include "core/model/part_tree.h"
 #include "core/model/readable_name.h"
 #include "core/session/part_filling.h"
@@ -142,15 +143,8 @@ std::vector<FixtureId> addFixture(const Recipe& recipe, const RecipeFixture& fix
 /// All bodies as one model, with the names of the assembly.
 std::shared_ptr<const Model> modelOf(const Recipe& recipe, Model source, std::vector<Part> bodies)
 {
-    auto model = std::make_shared<Model>(std::move(source));
+    auto model = std::make_shared<Model>(withParts(std::move(source), std::move(bodies)));
     model->file = recipe.part;
-    model->parts = std::move(bodies);
-    std::vector<const Part*> parts;
-    for (const Part& part : model->parts)
-        parts.push_back(&part);
-    PartNode tree = treeOfPaths(parts);
-    takeProducts(model->tree, tree);
-    model->tree = std::move(tree);
     return model;
 }
 

@@ -1,13 +1,17 @@
 // What tells the eye of depth: shades of hollows and ridges, and the shadow on the ground.
+#include "core/aggregate/fill.h"
+#include "core/session/ambient_shade.h"
 #include "core/session/contact_shade.h"
 #include "core/session/edge_sight.h"
 #include "core/session/frame.h"
 #include "core/session/ground_shadow.h"
 #include "core/session/relief.h"
+#include "support/shapes.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -71,6 +75,23 @@ double shadeAt(const Vec3& place, const Vec3& normal, const ToolState& tool)
     const Eigen::Vector3f n = normal.cast<float>();
     const std::vector<float> shades = contactShades({p.data(), 3}, {n.data(), 3}, {&tool, 1});
     return shades.empty() ? 1 : shades[0];
+}
+
+constexpr double spacing = 1e-3; // [m]
+
+/// A body that lies as it was filled, moved by so much.
+Snapshot::BodyState bodyOf(const TriangleMesh& mesh, const Vec3& way = Vec3::Zero())
+{
+    Snapshot::BodyState state;
+    state.aggregate = std::make_shared<const Aggregate>(fill(mesh, {.spacing = spacing}));
+    for (std::size_t i = 0; i < state.aggregate->size(); ++i)
+        state.positions.push_back(state.aggregate->lattice.position(i) + way);
+    return state;
+}
+
+TriangleMesh boxAt(const Vec3& size, const Vec3& center)
+{
+    return shapes::moved(shapes::box(size), {center, Quaternion::Identity()});
 }
 
 } // namespace
@@ -229,6 +250,68 @@ private slots:
         lower = std::make_shared<Snapshot>(*lower);
         lower->tools[0].pose.position.z() = 2;
         QVERIFY(!prepareFrame({}, lower, near)->contactShades[0]);
+    }
+
+    /// However its faces lie on the lattice and on the grid.
+    void aBoxAloneIsFullyLit()
+    {
+        for (const double shift : {0.0, 0.31e-3, 0.5e-3, 0.83e-3}) {
+            const Vec3 way(shift, 0.7 * shift, 1.3 * shift);
+            const Vec3 size(20.4e-3, 20.9e-3, 12.2e-3);
+            const Snapshot::BodyState body = bodyOf(shapes::box(size), way);
+            const MaterialAround material({&body, 1});
+            for (double x = -0.5; x <= 0.5; x += 0.05)
+                for (const double sign : {-1.0, 1.0}) {
+                    QVERIFY(material.shade(way + Vec3(x * size.x(), 0, sign * size.z() / 2), sign * Vec3::UnitZ()) >
+                            0.97);
+                    QVERIFY(material.shade(way + Vec3(sign * size.x() / 2, x * size.y(), 0), sign * Vec3::UnitX()) >
+                            0.97);
+                }
+        }
+    }
+
+    /// In a right-angled corner half of the light is kept off, nearly nothing far from it.
+    void cornersAndHollowsAreDarker()
+    {
+        const std::array bodies{bodyOf(boxAt({40e-3, 40e-3, 8e-3}, {0, 0, -4e-3})),
+                                bodyOf(boxAt({8e-3, 40e-3, 30e-3}, {-16e-3, 0, 15e-3}))};
+        const MaterialAround material(bodies);
+        const auto shadeAt = [&](double x) { return material.shade({x, 0, 0}, Vec3::UnitZ()); };
+        QVERIFY2(shadeAt(-12e-3) > 0.25 && shadeAt(-12e-3) < 0.6, qPrintable(QString::number(shadeAt(-12e-3))));
+        for (double x = -11e-3; x < 15e-3; x += 1e-3)
+            QVERIFY2(shadeAt(x) > shadeAt(x - 1e-3) - 0.02, qPrintable(QString::number(x)));
+        QVERIFY2(shadeAt(15e-3) > 0.97, qPrintable(QString::number(shadeAt(15e-3))));
+        // A pit, five cells wide and deep.
+        const std::array walls{bodyOf(boxAt({25e-3, 10e-3, 5e-3}, {0, 7.5e-3, -2.5e-3})),
+                               bodyOf(boxAt({25e-3, 10e-3, 5e-3}, {0, -7.5e-3, -2.5e-3})),
+                               bodyOf(boxAt({10e-3, 5e-3, 5e-3}, {7.5e-3, 0, -2.5e-3})),
+                               bodyOf(boxAt({10e-3, 5e-3, 5e-3}, {-7.5e-3, 0, -2.5e-3})),
+                               bodyOf(boxAt({25e-3, 25e-3, 4e-3}, {0, 0, -7e-3}))};
+        const MaterialAround pit(walls);
+        const double bottom = pit.shade({0, 0, -5e-3}, Vec3::UnitZ());
+        QVERIFY2(bottom < 0.75, qPrintable(QString::number(bottom)));
+        QVERIFY(bottom < pit.shade({0, 8e-3, 0}, Vec3::UnitZ()) - 0.2);
+    }
+
+    void whatComesNearDarkens()
+    {
+        const TriangleMesh plate = boxAt({30e-3, 30e-3, 6e-3}, {0, 0, -3e-3});
+        const TriangleMesh ball = shapes::sphere(8e-3, 32);
+        double before = 0;
+        for (const double gap : {1e-3, 4e-3, 8e-3, 60e-3}) {
+            const std::array bodies{bodyOf(plate), bodyOf(ball, {0, 0, 8e-3 + gap})};
+            const double shade = MaterialAround(bodies).shade(Vec3::Zero(), Vec3::UnitZ());
+            QVERIFY2(shade > before, qPrintable(QString::number(shade)));
+            before = shade;
+        }
+        QVERIFY(before > 0.99);
+    }
+
+    void nothingThrowsNoShade()
+    {
+        QCOMPARE(MaterialAround({}).shade(Vec3::Zero(), Vec3::UnitX()), 1.0);
+        const std::array<float, 6> two{0, 0, 0, 1, 1, 1};
+        QVERIFY(ambientShades(two, two, MaterialAround({})).empty());
     }
 };
 
