@@ -71,11 +71,16 @@ std::optional<Color> colorOrNone(const Json& json)
     return Color{channel(json.at(0)), channel(json.at(1)), channel(json.at(2))};
 }
 
+/// Files nested deeper than 4000 levels are not opened. Who uses a tree goes down it a call for each level: without an end, a small
+/// project of a stranger would use up the stack.
+constexpr std::size_t deepestTree = 5000;
+
 /// Parents come before their children.
 PartNode treeOf(const Json& nodes, std::size_t parts)
 {
     std::vector<PartNode> flat;
     std::vector<std::size_t> parents;
+    std::vector<std::size_t> levels;
     for (const Json& json : nodes) {
         PartNode node{json.at("name").get<std::string>(), std::nullopt, {}};
         if (!json.at("part").is_null())
@@ -89,6 +94,9 @@ PartNode treeOf(const Json& nodes, std::size_t parts)
         if (flat.empty() ? parent != -1 : parent < 0 || parent >= static_cast<std::int64_t>(flat.size()))
             fail("the tree of parts is none");
         parents.push_back(flat.empty() ? 0 : static_cast<std::size_t>(parent));
+        levels.push_back(flat.empty() ? 0 : levels[parents.back()] + 1);
+        if (levels.back() > deepestTree)
+            fail("the tree of parts is too deep");
         flat.push_back(std::move(node));
     }
     if (flat.empty())
