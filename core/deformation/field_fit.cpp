@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace knead {
 
@@ -20,13 +21,17 @@ constexpr std::size_t spacingSamples = 2000; // nodes
 constexpr std::size_t roughSamples = 20'000; // nodes
 constexpr std::size_t neighborCount = 5;     // of a node, with itself: the fourth is a spacing away
 constexpr double reachOfNode = 2;            // spacings
-constexpr double roughOff = 0.02;            // of what the field moves
+constexpr double reachOfThinNode = 10;       // spacings, where nodes lie around: elements may be longer than thick
+constexpr std::size_t aroundCount =
+    128;                          // of these: two rows of a surface whose elements are eight times as long as thick
+constexpr double roughOff = 0.02; // of what the field moves
 
 /// A point of a surface, and what is looked at there.
 struct Look {
     PlaceOnParts at;
+    Vec3 normal = Vec3::Zero();
     double distance = 0;    ///< to the nearest node [m]
-    double spacing = 0;     ///< of the nodes there [m]
+    bool isCovered = false; ///< has nodes near it, or around it
     double moved = 0;       ///< [m]
     double determinant = 1; ///< of the gradient
 };
@@ -49,11 +54,42 @@ std::vector<Look> looksAt(std::span<const TriangleMesh> parts)
             const AreaSamples::Sample sample = samples[i];
             Look& look = looks.emplace_back();
             look.at = {0, sample.place, p, std::nullopt};
+            look.normal = sample.normal;
             if (!parts[p].faceOfTriangle.empty())
                 look.at.face = parts[p].faceOfTriangle[sample.triangle];
         }
     }
     return looks;
+}
+
+/// Whether nodes lie on all sides of a place of a surface, seen along its normal: no half of what is around it is without.
+bool isSurrounded(const Vec3& place, const Vec3& normal, const PointTree& nodes, const std::vector<Vec3>& places)
+{
+    constexpr double steep = 0.1; // what lies above or below is on no side
+    constexpr double widestGap = 1.1 * std::numbers::pi;
+    const Vec3 right = normal.unitOrthogonal();
+    const Vec3 up = normal.cross(right);
+    std::vector<double> angles;
+    for (const PointTree::Found& found : nodes.nearest(place, aroundCount)) {
+        const Vec3 way = places[found.point] - place;
+        const double x = right.dot(way);
+        const double y = up.dot(way);
+        if (std::hypot(x, y) > steep * way.norm())
+            angles.push_back(std::atan2(y, x));
+    }
+    if (angles.empty())
+        return false;
+    std::ranges::sort(angles);
+    double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        gap = std::max(gap, angles[i] - angles[i - 1]);
+    return gap < widestGap;
+}
+
+bool isCovered(const Look& look, double spacing, const PointTree& nodes, const std::vector<Vec3>& places)
+{
+    return look.distance <= reachOfNode * spacing ||
+           (look.distance <= reachOfThinNode * spacing && isSurrounded(look.at.place, look.normal, nodes, places));
 }
 
 void measure(std::vector<Look>& looks, const PointTree& nodes, const std::vector<Vec3>& places, const SmoothMap& map,
@@ -64,7 +100,7 @@ void measure(std::vector<Look>& looks, const PointTree& nodes, const std::vector
             Look& look = looks[i];
             const PointTree::Found nearest = nodes.nearest(look.at.place);
             look.distance = nearest.distance;
-            look.spacing = spacingAt(nodes, places[nearest.point]);
+            look.isCovered = isCovered(look, spacingAt(nodes, places[nearest.point]), nodes, places);
             look.moved = (map.at(look.at.place) - look.at.place).norm();
             look.determinant = map.gradient(look.at.place).determinant();
         }
@@ -84,7 +120,7 @@ void sumUp(const std::vector<Look>& looks, FieldFit& fit)
     std::size_t uncovered = 0;
     fit.determinant.value = std::numeric_limits<double>::infinity();
     for (const Look& look : looks) {
-        uncovered += look.distance > reachOfNode * look.spacing ? 1 : 0;
+        uncovered += look.isCovered ? 0 : 1;
         if (look.distance >= fit.farthest.value)
             fit.farthest = placed(look, look.distance);
         if (look.moved >= fit.displacement.value)

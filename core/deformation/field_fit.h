@@ -25,9 +25,11 @@ struct FieldFit {
     Box nodes; ///< [m]
     Box parts; ///< [m]
 
-    double spacing = 0;    ///< between nodes: half of them are nearer to each other [m]
-    double uncovered = 0;  ///< share of the surface whose nearest node is farther than two spacings of the nodes there
-    PlaceOnParts farthest; ///< of the surface from its nearest node [m]
+    double spacing = 0; ///< between nodes: half of them are nearer to each other [m]
+    /// Share of the surface whose nearest node is farther than two spacings of the nodes there; than ten where nodes lie on all sides,
+    /// as with elements that are longer than thick.
+    double uncovered = 0;
+    PlaceOnParts farthest;     ///< of the surface from its nearest node [m]
     PlaceOnParts displacement; ///< the largest one [m]
     PlaceOnParts determinant;  ///< the smallest one of the map's gradient: 1 in a rigid body, 0 or less where it folds
     double roughness = 0;      ///< share of nodes that the smooth map misses by more than 2 % of what the field moves

@@ -1,6 +1,7 @@
 #include "core/model/joined_model.h"
 
 #include "core/message/message.h"
+#include "core/model/part_tree.h"
 
 #include <algorithm>
 #include <cassert>
@@ -58,6 +59,18 @@ Model joined(std::vector<Model> models)
         all.tree.children.push_back(std::move(model.tree));
     }
     return all;
+}
+
+Model withParts(Model model, std::vector<Part> parts)
+{
+    model.parts = std::move(parts);
+    std::vector<const Part*> all;
+    for (const Part& part : model.parts)
+        all.push_back(&part);
+    PartNode tree = treeOfPaths(all);
+    takeProducts(model.tree, tree);
+    model.tree = std::move(tree);
+    return model;
 }
 
 } // namespace knead

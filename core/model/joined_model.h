@@ -12,4 +12,7 @@ namespace knead {
 /// @param models at least one
 Model joined(std::vector<Model> models);
 
+/// The model with these parts in place of its own, in the tree that their paths describe.
+Model withParts(Model model, std::vector<Part> parts);
+
 } // namespace knead

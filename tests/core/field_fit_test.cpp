@@ -113,6 +113,22 @@ private slots:
         QVERIFY(says(fit.remarks, "on face 1, at (90, "));
     }
 
+    /// As the swept meshes of simulations have them.
+    void elementsLongerThanThickCoverThePart()
+    {
+        const auto longer = [](const Vec3& p) { return Vec3(8 * p.x(), p.y(), p.z()); };
+        const FieldDeformation field =
+            moved(fieldOf(
+                      Vec3(0.0125, 0.04, 0.02), [&](const Vec3& p) { return sag(longer(p)); }, 0.00125),
+                  longer);
+        const FieldFit fit = fitTo(field, {shapes::box(partSize)});
+        QCOMPARE(fit.uncovered, 0.0);
+        QVERIFY(fit.remarks.empty());
+        const FieldFit further = fitTo(field, {shapes::box(Vec3(0.14, 0.04, 0.02))});
+        QVERIFY(further.uncovered > 0.2 && further.uncovered < 0.4);
+        QVERIFY(says(further.remarks, "there the field is continued"));
+    }
+
     void foldIsTold()
     {
         FieldDeformation field =

@@ -112,12 +112,30 @@ class NodalStatesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aPulledBarBearsForcePerArea_data()
+    {
+        QTest::addColumn<double>("cells");
+        QTest::addColumn<double>("within");
+        QTest::addColumn<double>("withinAtSkin");
+        QTest::addColumn<double>("withinAcross");
+        QTest::addColumn<double>("withinAcrossAtSkin");
+        // Across four cells objects get narrower by up to 12 % less or more than they should, most at edges, where two faces are
+        // free, and what is told of them with it; across six they do so to 0.1 %.
+        QTest::newRow("4 cells") << 4.0 << 0.01 << 0.03 << 0.03 << 0.1;
+        QTest::newRow("6 cells") << 6.0 << 0.002 << 0.002 << 0.001 << 0.001;
+    }
+
     /// In balance: stress is F / A inside and on the skin, displacement goes linearly.
     void aPulledBarBearsForcePerArea()
     {
+        QFETCH(double, cells);
+        QFETCH(double, within);
+        QFETCH(double, withinAtSkin);
+        QFETCH(double, withinAcross);
+        QFETCH(double, withinAcrossAtSkin);
         const Quaternion turn =
             bars::about(90, Vec3::UnitZ()); // along the lattice: others have uneven strain themselves
-        bars::Bar bar(bars::Section::Square, 4, turn);
+        bars::Bar bar(bars::Section::Square, cells, turn);
         const TriangleMesh mesh =
             shapes::moved(bars::meshOf(bars::Section::Square, bar.width, bar.length), {Vec3::Zero(), turn});
         const bars::Tension tension = bars::tension(bar);
@@ -140,15 +158,12 @@ private slots:
         const Vec3 middle = states.displacement[nodes.size() / 2];
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Mat3& stress = states.stress[i];
-            // At the skin of the lattice material gets narrower by a little less.
             const Vec3 local = turn.conjugate() * nodes[i];
             const bool isAtSkin = local.tail<2>().cwiseAbs().maxCoeff() > 0.45 * bar.width;
-            const double within = isAtSkin ? 0.03 : 0.01;
-            const double withinAcross = isAtSkin ? 0.1 : 0.03; // most at edges, where two faces are free
-            QVERIFY2(std::abs(bar.along.dot(stress * bar.along) / expected - 1) < within,
+            QVERIFY2(std::abs(bar.along.dot(stress * bar.along) / expected - 1) < (isAtSkin ? withinAtSkin : within),
                      qPrintable(QString::number(bar.along.dot(stress * bar.along) / expected)));
             for (const Vec3& across : {bar.sideways, bar.upwards})
-                QVERIFY2((stress * across).norm() < withinAcross * expected,
+                QVERIFY2((stress * across).norm() < (isAtSkin ? withinAcrossAtSkin : withinAcross) * expected,
                          qPrintable(QString("%1 at %2, %3, %4")
                                         .arg((stress * across).norm() / expected)
                                         .arg(local.x() / bar.width)

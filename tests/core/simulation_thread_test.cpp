@@ -277,6 +277,40 @@ private slots:
         QCOMPARE(hash.get_future().get(), gesture.hash);
     }
 
+    /// Only what is new is told, and whether it is of another gesture.
+    void aGestureUnderWayIsFollowed()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling())};
+        const auto follow = [&thread](const RecordingMark& known) {
+            std::promise<RecordingNews> told;
+            thread.followGesture(known, [&told](RecordingNews news) { told.set_value(std::move(news)); });
+            return told.get_future().get();
+        };
+        const auto commandsOf = [](const RecordingNews& news) { return news.commands.size(); };
+        thread.post(SetGravity{Vec3(0, 1, 0)});
+        thread.stepOnce();
+        const RecordingNews first = follow({});
+        QCOMPARE(commandsOf(first), std::size_t{1});
+        QCOMPARE(first.after.commands, std::size_t{0});
+        QCOMPARE(first.step, std::uint64_t{1});
+        thread.post(SetGravity{Vec3(0, 2, 0)});
+        thread.stepOnce();
+        const RecordingNews next = follow({first.after.recording, 1});
+        QCOMPARE(commandsOf(next), std::size_t{1});
+        QVERIFY((next.after == RecordingMark{first.after.recording, 1}));
+        thread.endGesture(gestures.taker());
+        const Gesture gesture = gestures.next();
+        thread.post(SetGravity{Vec3(0, 3, 0)});
+        thread.stepOnce();
+        const RecordingNews another = follow({first.after.recording, 2});
+        QVERIFY(another.after.recording != first.after.recording);
+        QCOMPARE(another.after.commands, std::size_t{0});
+        QCOMPARE(commandsOf(another), std::size_t{1});
+        thread.goTo(gesture.moment);
+        QVERIFY(follow(another.after).after.recording != another.after.recording);
+    }
+
     void goingToAMomentPausesThere()
     {
         Gestures gestures;

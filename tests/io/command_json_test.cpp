@@ -146,6 +146,17 @@ private slots:
         QVERIFY2(sentence.endsWith('.'), qPrintable(sentence));
     }
 
+    /// Else it could not be written again.
+    void aLoadHasAnAreaForEachObject()
+    {
+        ToolPartTable tools;
+        std::string text = commandsToJson(std::vector<RecordedCommand>{{0, AddLoad{sample::load("pull")}}}, tools);
+        QCOMPARE(complaint(text), std::string());
+        const std::string carried = "\"carried\": [";
+        text.insert(text.find(carried) + carried.size(), R"({"share_m2": 1, "area_m2": [0, 0, 1]}, )");
+        QVERIFY(complaint(text).find("carried must have one item for each object") != std::string::npos);
+    }
+
     void aToolPartThatIsNotThereIsNamed()
     {
         ToolPartTable tools;

@@ -3,6 +3,7 @@
 #include "io/picture/picture_writer.h"
 #include "io/worker/export_worker.h"
 #include "io/worker/isolated_export.h"
+#include "support/deep.h"
 #include "support/export_jobs.h"
 #include "support/killed_child.h"
 #include "support/shapes.h"
@@ -84,9 +85,9 @@ private slots:
         QTest::addColumn<int>("kills");
         QTest::addColumn<int>("wait"); // at most [us]
         for (const char* ending : {"stl", "obj", "ply", "glb", "3mf", "vtp", "png"})
-            QTest::newRow(ending) << QString(ending) << 8 << 30'000;
+            QTest::newRow(ending) << QString(ending) << loadOf(4, 8) << 30'000;
         for (const char* ending : {"step", "brep"})
-            QTest::newRow(ending) << QString(ending) << 4 << 300'000;
+            QTest::newRow(ending) << QString(ending) << loadOf(2, 4) << 300'000;
     }
 
     void aFileIsTheOldOrTheNewOne()
@@ -121,7 +122,7 @@ private slots:
     void manyWereKilledInTheMiddle()
     {
         qInfo("%d were killed while they exported", m_between);
-        QVERIFY(m_between > 30);
+        QVERIFY(m_between > loadOf(15, 30));
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/skin/fragments.h"
 #include "io/importer.h"
+#include "support/deep.h"
 #include "support/skip.h"
 
 #include <QtTest>
@@ -22,7 +23,8 @@ namespace {
 constexpr double cellsAlong = 30;
 constexpr double cellsAcrossWall = 2;
 constexpr double cellsAlongBroken = 40;
-constexpr double mostObjects = 300'000; // what a minute for all files allows
+constexpr double mostObjects = 100'000;
+constexpr double mostObjectsDeep = 300'000;
 
 /// Its faces overlap by up to 0.06 mm: the volume is not known better than to a percent.
 const std::set<std::string> uncertainVolume{"o24_axom_boxed_sphere_cm.step"};
@@ -115,7 +117,7 @@ void FillCorpusTest::checkPart(const Part& part, bool isCertain)
         checkFilling(part, coarse, bound);
         return;
     }
-    const double finest = spacingFor({SpacingChoice::Kind::Objects, mostObjects}, size);
+    const double finest = spacingFor({SpacingChoice::Kind::Objects, loadOf(mostObjects, mostObjectsDeep)}, size);
     if (fine < finest)
         qInfo("%s: two cells across its wall of %.3g mm would be %.2g objects; filled with %.2g cells across",
               part.path.c_str(), 1000 * size.thinnestWall, estimatedObjects(size, fine), size.thinnestWall / finest);

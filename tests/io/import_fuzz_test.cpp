@@ -1,4 +1,5 @@
 #include "io/worker/isolated_import.h"
+#include "support/deep.h"
 #include "support/fuzz_inputs.h"
 #include "support/loaded_reader.h"
 #include "support/model_flaws.h"
@@ -162,7 +163,7 @@ private:
 
     fuzz::Inputs m_inputs;
     std::uint64_t m_seed = environmentNumber("KNEAD_FUZZ_SEED", 1);
-    std::uint64_t m_count = environmentNumber("KNEAD_FUZZ_INPUTS", 2000);
+    std::uint64_t m_count = environmentNumber("KNEAD_FUZZ_INPUTS", loadOf<std::uint64_t>(700, 2000));
     QTemporaryDir m_folder;
     QTemporaryDir m_temporary; ///< what the readers take for the folder for temporary files
     std::filesystem::path m_kept;

@@ -49,6 +49,18 @@ Model fullModel()
     return model;
 }
 
+/// One part, so many levels deep.
+Model nested(int levels)
+{
+    Model model;
+    model.parts.resize(1);
+    PartNode* node = &model.tree;
+    for (int level = 0; level < levels; ++level)
+        node = &node->children.emplace_back(PartNode{std::to_string(level), std::nullopt, {}});
+    node->part = 0;
+    return model;
+}
+
 bool sameTree(const PartNode& a, const PartNode& b)
 {
     return a.name == b.name && a.part == b.part &&
@@ -113,13 +125,14 @@ private slots:
 
     void aTreeOfThousandsOfLevelsArrives()
     {
-        Model model;
-        model.parts.resize(1);
-        PartNode* node = &model.tree;
-        for (int level = 0; level < 4000; ++level)
-            node = &node->children.emplace_back(PartNode{std::to_string(level), std::nullopt, {}});
-        node->part = 0;
+        const Model model = nested(4000);
         QVERIFY(sameTree(modelFromBytes(modelToBytes(model)).tree, model.tree));
+    }
+
+    /// Whoever goes down it would use up the stack.
+    void aTreeDeeperThanFilesHaveIsRefused()
+    {
+        QVERIFY_EXCEPTION_THROWN(modelFromBytes(modelToBytes(nested(6000))), Problem);
     }
 
     void aFailureIsToldFromAModel()

@@ -1,6 +1,7 @@
 #include "io/files/safe_file.h"
 #include "io/project/project_file.h"
 #include "io/project/recovery.h"
+#include "support/deep.h"
 #include "support/killed_child.h"
 #include "support/same_values.h"
 #include "support/sample_project.h"
@@ -101,7 +102,7 @@ private slots:
         const std::string path = folder.filePath("saved.knead").toStdString();
         fuzz::Random random(31);
         int between = 0;
-        for (int trial = 0; trial < 200; ++trial) {
+        for (int trial = 0; trial < loadOf(60, 200); ++trial) {
             writeProject(path, projectAfter(0));
             Child child({"--save", path});
             if (trial % 2 == 0)
@@ -113,7 +114,7 @@ private slots:
             QVERIFY2(is(said.ended) || is(said.begun), std::to_string(trial).c_str());
             between += said.isCut() ? 1 : 0;
         }
-        QVERIFY(between > 20); // many were killed while they saved
+        QVERIFY(between > loadOf(6, 20)); // many were killed while they saved
     }
 
     void whatKilledOnesHadBegunIsRemoved()
@@ -142,7 +143,7 @@ private slots:
         const std::string where = folder.path().toStdString();
         fuzz::Random random(32);
         int between = 0;
-        for (int trial = 0; trial < 100; ++trial) {
+        for (int trial = 0; trial < loadOf(30, 100); ++trial) {
             Child first({"--autosave", where});
             QVERIFY(first.waitForEnd());
             waitAWhile(random);
@@ -162,7 +163,7 @@ private slots:
             dropRecovery(findRecoveries(where).at(0));
             QVERIFY(findRecoveries(where).empty());
         }
-        QVERIFY(between > 40); // many were killed while they kept something
+        QVERIFY(between > loadOf(12, 40)); // many were killed while they kept something
     }
 
 private:
