@@ -7679,6 +7679,10 @@ Simuliert: %2, Schritt %3
         <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
         <translation>ihre Teile wurden verformt, nachdem sie geknetet worden waren, oder mit einem Feld, dessen Datei nicht mehr da ist, und nur ein Projekt bewahrt sie so; zuerst das Projekt speichern.</translation>
     </message>
+    <message>
+        <source>must have one item for each object</source>
+        <translation>muss für jedes Objekt einen Eintrag haben</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>

@@ -7679,6 +7679,10 @@ Simulé&#xa0;: %2, pas %3
         <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
         <translation>ses pièces ont été déformées après avoir été pétries, ou par un champ dont le fichier n’est plus là, et seul un projet les garde ainsi ; enregistrez d’abord le projet.</translation>
     </message>
+    <message>
+        <source>must have one item for each object</source>
+        <translation>doit avoir un élément pour chaque objet</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>

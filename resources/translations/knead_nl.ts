@@ -7679,6 +7679,10 @@ Gesimuleerd: %2, stap %3
         <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
         <translation>de onderdelen zijn vervormd nadat ze gekneed waren, of door een veld waarvan het bestand er niet meer is, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
     </message>
+    <message>
+        <source>must have one item for each object</source>
+        <translation>moet voor elk object één onderdeel hebben</translation>
+    </message>
 </context>
 <context>
     <name>RecipesFeature</name>
