@@ -4,12 +4,19 @@
 #include "core/deformation/scan_placement.h"
 #include "core/geometry/area_samples.h"
 #include "core/geometry/point_tree.h"
+#include "core/geometry/surface_ray.h"
 #include "core/message/number_text.h"
 #include "core/task/parallel_progress.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace knead {
 
@@ -24,8 +31,9 @@ constexpr std::size_t scanNeighbors = 12; // that say whether a point is an outl
 constexpr double outlierSpreads = 6;      // median deviations from the median of its neighbors
 constexpr double leastSpread = 1e-4;      // of the part's size: less is told by no scan
 constexpr double smoothingWeight = 0.5;   // weight of the neighbors' mean against a point's own look
-constexpr std::size_t lookRounds = 3;
-constexpr int smoothRounds = 100; // so far, in the root of it spacings, motion along the surface spreads
+constexpr std::size_t lookRounds = 12;
+constexpr double settled =
+    1e-4; // of the part's size: when no point moves farther in a round, the next would say the same
 
 /// A point of the part, and how it moved.
 struct ScanLook {
@@ -45,39 +53,61 @@ TriangleMesh placed(TriangleMesh mesh, const Pose& pose)
 
 /// The surfaces that are compared.
 struct ScanAndPart {
+    ScanAndPart(const TriangleMesh& scan_, const TriangleMesh& part, double mostAlong_, double spacing_)
+        : scan(scan_)
+        , toScan(scan)
+        , alongScan{SurfaceRay(scan, 1), SurfaceRay(scan, -1)}
+        , alongPart{SurfaceRay(part, 1), SurfaceRay(part, -1)}
+        , mostAlong(mostAlong_)
+        , spacing(spacing_)
+        , slack(0.01 * spacing_)
+    {
+    }
+
     const TriangleMesh& scan;
     SurfaceDistance toScan;
-    const SurfaceDistance& toPart;
-    double mostAlong = 0; ///< [m]
-    double spacing = 0;   ///< of the points [m]
+    std::array<SurfaceRay, 2> alongScan; ///< outward and inward
+    std::array<SurfaceRay, 2> alongPart;
+    double mostAlong; ///< [m]
+    double spacing;   ///< of the points [m]
+    double slack;     ///< rounding [m]
 };
 
-/// Where the normal of a point, from where it moved, meets the scan: by Newton's method on the distance to its nearest triangle. Then
-/// back to the part.
+/// How far along a normal a line through a place meets a surface that looks the same way, next to the place [m].
+/// @param slack by which the place may lie off the surface that it is on [m]
+std::optional<double> meets(const std::array<SurfaceRay, 2>& surface, const Vec3& place, const Vec3& normal,
+                            double slack)
+{
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::optional<double> along;
+    for (const double side : {1.0, -1.0}) {
+        const auto exit = surface[side > 0 ? 0 : 1].firstExit(place - side * slack * normal, side * normal, none);
+        if (exit && exit->cosine >= leastLookCosine && (!along || std::abs(exit->distance - slack) < std::abs(*along)))
+            along = side * (exit->distance - slack);
+    }
+    return along;
+}
+
+/// Where the normal of a point, from where it moved, meets the scan, and from there back to the part.
 void look(ScanLook& point, const ScanAndPart& both)
 {
-    constexpr int rounds = 4;
     const Vec3& normal = point.sample.normal;
     const Vec3 start = point.sample.place + point.moved;
-    double along = 0;
-    double cosine = 0;
-    Vec3 there = start;
     point.distance = both.toScan.nearest(point.sample.place).distance;
     point.counts = false;
-    for (int round = 0; round < rounds; ++round) {
-        const SurfaceDistance::Hit hit = both.toScan.nearest(start + along * normal);
-        const Vec3 other = crossOf(both.scan.vertices, both.scan.triangles[hit.triangle]).stableNormalized();
-        cosine = normal.dot(other);
-        there = hit.point;
-        if (std::abs(cosine) < leastLookCosine)
-            return;
-        along = other.dot(hit.point - start) / cosine;
-    }
-    const double off = (start + along * normal - there).norm();
-    const double back = (both.toPart.nearest(there - point.moved).point - point.sample.place).norm();
-    const double slack = backShare * std::abs(along) + backSpacings * both.spacing;
-    point.along = along + normal.dot(point.moved);
-    point.counts = cosine > 0 && std::abs(point.along) <= both.mostAlong && back <= slack && off <= slack;
+    const std::optional<double> along = meets(both.alongScan, start, normal, both.slack);
+    if (!along)
+        return;
+    const Vec3 there = start + *along * normal;
+    const Vec3 other =
+        crossOf(both.scan.vertices, both.scan.triangles[both.toScan.nearest(there).triangle]).stableNormalized();
+    const std::optional<double> back = meets(both.alongPart, there - point.moved, other, both.slack);
+    if (!back)
+        return;
+    const double off = (there - point.moved + *back * other - point.sample.place).norm();
+    point.along = *along + normal.dot(point.moved);
+    point.counts =
+        std::abs(point.along) <= both.mostAlong && off <= backShare * std::abs(*along) + backSpacings * both.spacing;
 }
 
 double medianOf(std::vector<double>& values)
@@ -127,26 +157,62 @@ void dropOddOnes(std::vector<ScanLook>& looks, const Neighbors& neighbors, doubl
         looks[i].counts = looks[i].counts && odd[i] == 0;
 }
 
-/// Motions u in space from what normals n tell of them: sum (n u - along)^2 + smoothingWeight |u - mean of u around|^2 is least, by
-/// rounds of Jacobi's method. Points that do not count go with those around them.
-void smooth(std::vector<ScanLook>& looks, const Neighbors& neighbors)
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// smoothingWeight / 2 mean |u_i - u_j|^2 over neighbors, summed over all, and (n u)^2 of those that count, as a quadratic form.
+SparseRows formOf(const std::vector<ScanLook>& looks, const Neighbors& neighbors)
 {
-    std::vector<Vec3> next(looks.size());
-    for (int round = 0; round < smoothRounds; ++round) {
-        forEachBlock(looks.size(), 1024, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Vec3 mean = Vec3::Zero();
-                for (const PointTree::Found& neighbor : neighbors[i])
-                    mean += looks[neighbor.point].moved / static_cast<double>(neighbors[i].size());
-                const Vec3& normal = looks[i].sample.normal;
-                next[i] = mean;
-                if (looks[i].counts)
-                    next[i] += (looks[i].along - normal.dot(mean)) / (1 + smoothingWeight) * normal;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(3 * i);
+        const Vec3& normal = looks[i].sample.normal;
+        for (int a = 0; looks[i].counts && a < 3; ++a)
+            for (int b = 0; b < 3; ++b)
+                entries.emplace_back(row + a, row + b, normal[a] * normal[b]);
+        const double weight = smoothingWeight / 2 / static_cast<double>(neighbors[i].size());
+        for (const PointTree::Found& neighbor : neighbors[i]) {
+            const auto column = static_cast<Eigen::Index>(3 * neighbor.point);
+            for (int a = 0; a < 3 && column != row; ++a) {
+                entries.emplace_back(row + a, row + a, weight);
+                entries.emplace_back(column + a, column + a, weight);
+                entries.emplace_back(row + a, column + a, -weight);
+                entries.emplace_back(column + a, row + a, -weight);
             }
-        });
-        for (std::size_t i = 0; i < looks.size(); ++i)
-            looks[i].moved = next[i];
+        }
     }
+    const auto size = static_cast<Eigen::Index>(3 * looks.size());
+    SparseRows form(size, size);
+    form.setFromTriplets(entries.begin(), entries.end());
+    return form;
+}
+
+/// Motions u in space from what normals n tell of them: sum (n u - along)^2 over points that count, and the differences between
+/// neighbors are least together (Dirichlet energy), by conjugate gradients. Points that do not count go with those around them.
+/// @return how far a point moved on at most [m]
+double smooth(std::vector<ScanLook>& looks, const Neighbors& neighbors)
+{
+    constexpr double tolerance = 1e-5;
+    constexpr int mostRounds = 1000;
+    const SparseRows form = formOf(looks, neighbors);
+    Eigen::VectorXd told = Eigen::VectorXd::Zero(form.rows());
+    Eigen::VectorXd moved(form.rows());
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(3 * i);
+        moved.segment<3>(row) = looks[i].moved;
+        if (looks[i].counts)
+            told.segment<3>(row) = looks[i].along * looks[i].sample.normal;
+    }
+    Eigen::ConjugateGradient<SparseRows, Eigen::Lower | Eigen::Upper> solver(form);
+    solver.setTolerance(tolerance);
+    solver.setMaxIterations(mostRounds);
+    moved = solver.solveWithGuess(told, moved).eval();
+    double farthest = 0;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const Vec3 next = moved.segment<3>(static_cast<Eigen::Index>(3 * i));
+        farthest = std::max(farthest, (next - looks[i].moved).norm());
+        looks[i].moved = next;
+    }
+    return farthest;
 }
 
 /// Looks, smooths, and looks again from where points have come to: near edges only that meets the face that is meant.
@@ -167,7 +233,8 @@ std::vector<ScanLook> compared(const TriangleMesh& part, const ScanAndPart& both
                              look(looks[i], both);
                      });
         dropOddOnes(looks, neighbors, size);
-        smooth(looks, neighbors);
+        if (smooth(looks, neighbors) < settled * size)
+            break;
     }
     return looks;
 }
@@ -228,8 +295,8 @@ ScanField scanField(const TriangleMesh& scan, const TriangleMesh& part, const Sc
     const TriangleMesh there = placed(scan, result.toPart);
     const double spacing = std::sqrt(AreaSamples(part, 1).area() / static_cast<double>(options.samples));
     TaskPortion comparing(control, 0.5, 1);
-    const std::vector<ScanLook> looks = compared(
-        part, {there, SurfaceDistance(there), toPart, options.mostDistance * size, spacing}, options, comparing);
+    const std::vector<ScanLook> looks =
+        compared(part, ScanAndPart(there, part, options.mostDistance * size, spacing), options, comparing);
     result.samples = looks.size();
     for (const ScanLook& one : looks) {
         if (one.counts) {

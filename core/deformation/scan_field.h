@@ -23,12 +23,13 @@ struct ScanField {
 struct ScanOptions {
     std::size_t samples = 20'000; ///< on the part
     bool staysInPlace = false;    ///< the scan is in the part's axes already
-    double mostDistance = 0.1;    ///< from the part to the scan that is deformation, of the part's size
+    double mostDistance = 0.25; ///< along a normal, from the part to the scan, that is deformation, of the part's size
 };
 
 /// From each point of the part along its normal to the scan. A point counts when the scan is there: its surface looks the same way, not
 /// farther than allowed, the way back from it ends near the point, and points beside it say about the same. What a normal does not tell,
-/// motion along the surface, follows from the points around, so that the field is smooth at edges; noise is smoothed with it.
+/// motion along the surface, follows from the points around, so that the field is smooth at edges; noise is smoothed with it. Then it
+/// looks again from where points have come to, until they stay: parts may have moved farther than they are thick.
 /// @throws Problem when the scan is none of this part. @throws Cancelled
 ScanField scanField(const TriangleMesh& scan, const TriangleMesh& part, const ScanOptions& options = {},
                     TaskControl& control = TaskControl::none());

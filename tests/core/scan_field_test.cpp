@@ -70,6 +70,45 @@ private slots:
         QVERIFY(off < 2e-4);
     }
 
+    void farMotionsOfSlenderPartsAreFound_data()
+    {
+        QTest::addColumn<double>("angle"); // of a bend [rad]; 0: it sags
+        QTest::newRow("sags") << 0.0;
+        QTest::newRow("10 degrees") << 0.1745;
+        QTest::newRow("20 degrees") << 0.349;
+    }
+    /// By more than the bar is thick: neither folded nor stuck at the end, where the face looks along the bar.
+    void farMotionsOfSlenderPartsAreFound()
+    {
+        QFETCH(double, angle);
+        const Vec3 size(0.16, 0.02, 0.02);
+        const TriangleMesh part =
+            refine(shapes::moved(shapes::box(size), {Vec3(size / 2), Quaternion::Identity()}), 0.006);
+        const auto displaced = [&](const Vec3& p) -> Vec3 {
+            if (angle == 0)
+                return p + Vec3(0, 0, 0.0096 * std::pow(p.x() / size.x(), 2));
+            const double radius = size.x() / angle;
+            const double r = radius - (p.z() - size.z() / 2);
+            const double turned = p.x() / radius;
+            return {r * std::sin(turned), p.y(), radius - r * std::cos(turned) + size.z() / 2};
+        };
+        TriangleMesh scan = part;
+        for (Vec3& vertex : scan.vertices)
+            vertex = displaced(vertex);
+        const ScanField found = scanField(scan, part, {.samples = fewSamples, .staysInPlace = true});
+        QVERIFY2(found.outliers < found.samples / 50, qPrintable(QString::number(found.outliers)));
+        const auto map = fieldMap({.field = std::make_shared<const DisplacementField>(found.field)});
+        const Vec3 end(size.x(), size.y() / 2, size.z() / 2);
+        const double motion = (displaced(end) - end).norm();
+        QVERIFY((map->at(end) - displaced(end)).norm() < 0.05 * motion);
+        const SurfaceDistance surface(scan);
+        for (const Vec3& vertex : part.vertices) {
+            const double off = surface.nearest(map->at(vertex)).distance;
+            QVERIFY2(off < 0.05 * motion, qPrintable(QString::number(off))); // most at corners
+            QVERIFY(map->gradient(vertex).determinant() > 0);
+        }
+    }
+
     void scanIsLaidOnThePartHoweverItLies()
     {
         const TriangleMesh part = partOnTest();
