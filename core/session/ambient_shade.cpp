@@ -1,10 +1,9 @@
 #include "core/session/ambient_shade.h"
 
 #include "core/aggregate/aggregate.h"
-#include "core/task/parallel.h"
+#include "core/session/vertex_shades.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +12,7 @@ namespace knead {
 namespace {
 
 constexpr double mostCells = 4e6;
-constexpr int widest = 8; // cells of the coarsest grid, in finest ones
-constexpr std::size_t verticesOfBlock = 2048;
+constexpr int widest = 8;                                    // cells of the coarsest grid, in finest ones
 constexpr std::array<float, 4> keptOff{1, 0.8F, 0.6F, 0.4F}; // by what a cell is full of: what is near keeps off more
 constexpr int aroundCount = 6;                               // directions aslant, besides the normal
 constexpr float slantCosine = 0.574F;                        // of 55 degrees
@@ -39,55 +37,68 @@ Extent extentOf(std::span<const Snapshot::BodyState> bodies)
 
 } // namespace
 
+std::size_t MaterialAround::Grid::indexOf(const Eigen::Array3i& cell) const
+{
+    return static_cast<std::size_t>((cell.z() * count.y() + cell.y()) * count.x() + cell.x());
+}
+
 MaterialAround::MaterialAround(std::span<const Snapshot::BodyState> bodies)
 {
     const Extent extent = extentOf(bodies);
     if (!(extent.spacing > 0) || !extent.box.sizes().allFinite())
         return;
-    m_width = extent.spacing;
-    const auto cells = [&] { return ((extent.box.sizes() / m_width).array() + 4.0 * widest).prod(); };
+    layOut(extent.box, extent.spacing);
+    for (const Snapshot::BodyState& body : bodies)
+        fillIn(body);
+    for (float& share : m_grids[0].share)
+        share = std::min(share, 1.0F);
+    for (std::size_t g = 1; g < gridCount; ++g)
+        m_grids[g].takeMeans(m_grids[g - 1]);
+}
+
+void MaterialAround::layOut(const Box& box, double spacing)
+{
+    m_width = spacing;
+    const auto cells = [&] { return ((box.sizes() / m_width).array() + 4.0 * widest).prod(); };
     while (cells() > mostCells)
         m_width *= 1.25;
     // At whole cells of the coarsest grid, so that shades do not flicker while the box of the bodies changes; one more all around.
     const double step = widest * m_width;
-    const Eigen::Array3d low = (extent.box.min().array() / step - 0.25).floor() - 1;
-    const Eigen::Array3d high = (extent.box.max().array() / step + 0.25).ceil() + 1;
+    const Eigen::Array3d low = (box.min().array() / step - 0.25).floor() - 1;
+    const Eigen::Array3d high = (box.max().array() / step + 0.25).ceil() + 1;
     m_origin = step * low.matrix();
     for (std::size_t g = 0; g < gridCount; ++g) {
         m_grids[g].count = (high - low).cast<int>() * (widest >> g);
         m_grids[g].last = (m_grids[g].count - 1).cast<float>();
         m_grids[g].share.assign(static_cast<std::size_t>(m_grids[g].count.cast<double>().prod()), 0.0F);
     }
+}
 
-    const auto indexIn = [](const Grid& grid, const Eigen::Array3i& cell) {
-        return static_cast<std::size_t>((cell.z() * grid.count.y() + cell.y()) * grid.count.x() + cell.x());
-    };
+/// Each object is shared out to the eight cells around it.
+void MaterialAround::fillIn(const Snapshot::BodyState& body)
+{
     const double cellVolume = m_width * m_width * m_width;
     Grid& finest = m_grids[0];
-    for (const Snapshot::BodyState& body : bodies)
-        for (std::size_t i = 0; i < body.positions.size(); ++i) {
-            const Eigen::Array3d place = (body.positions[i] - m_origin).array() / m_width - 0.5;
-            const Eigen::Array3i cell = place.floor().cast<int>();
-            const Eigen::Array3d way = place - cell.cast<double>();
-            const double share = body.aggregate->volume[i] / cellVolume;
-            for (int corner = 0; corner < 8; ++corner) {
-                const Eigen::Array3i side(corner & 1, corner >> 1 & 1, corner >> 2);
-                const double weight = (side == 1).select(way, 1 - way).prod();
-                const Eigen::Array3i there = (cell + side).max(0).min(finest.count - 1);
-                finest.share[indexIn(finest, there)] += static_cast<float>(weight * share);
-            }
+    for (std::size_t i = 0; i < body.positions.size(); ++i) {
+        const Eigen::Array3d place = (body.positions[i] - m_origin).array() / m_width - 0.5;
+        const Eigen::Array3i cell = place.floor().cast<int>();
+        const Eigen::Array3d way = place - cell.cast<double>();
+        const double share = body.aggregate->volume[i] / cellVolume;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Eigen::Array3i side(corner & 1, corner >> 1 & 1, corner >> 2);
+            const double weight = (side == 1).select(way, 1 - way).prod();
+            const Eigen::Array3i there = (cell + side).max(0).min(finest.count - 1);
+            finest.share[finest.indexOf(there)] += static_cast<float>(weight * share);
         }
-    for (float& share : finest.share)
-        share = std::min(share, 1.0F);
-    for (std::size_t g = 1; g < gridCount; ++g) {
-        const Grid& finer = m_grids[g - 1];
-        Grid& grid = m_grids[g];
-        for (int z = 0; z < finer.count.z(); ++z)
-            for (int y = 0; y < finer.count.y(); ++y)
-                for (int x = 0; x < finer.count.x(); ++x)
-                    grid.share[indexIn(grid, Eigen::Array3i(x, y, z) / 2)] +=
-                        finer.share[indexIn(finer, {x, y, z})] / 8;
     }
+}
+
+void MaterialAround::Grid::takeMeans(const Grid& finer)
+{
+    for (int z = 0; z < finer.count.z(); ++z)
+        for (int y = 0; y < finer.count.y(); ++y)
+            for (int x = 0; x < finer.count.x(); ++x)
+                share[indexOf(Eigen::Array3i(x, y, z) / 2)] += finer.share[finer.indexOf({x, y, z})] / 8;
 }
 
 float MaterialAround::material(std::size_t grid, const Eigen::Array3f& place) const
@@ -151,21 +162,8 @@ double MaterialAround::shade(const Vec3& place, const Vec3& normal) const
 std::vector<float> ambientShades(std::span<const float> points, std::span<const float> normals,
                                  const MaterialAround& material)
 {
-    const auto at = [](std::span<const float> values, std::size_t vertex) -> Vec3 {
-        return Eigen::Map<const Eigen::Vector3f>(values.data() + 3 * vertex).cast<double>();
-    };
-    std::vector<float> shades(points.size() / 3);
-    std::atomic<bool> isAny = false;
-    forEachBlock(shades.size(), verticesOfBlock, [&](std::size_t begin, std::size_t end) {
-        bool isHere = false;
-        for (std::size_t vertex = begin; vertex < end; ++vertex) {
-            shades[vertex] = static_cast<float>(material.shade(at(points, vertex), at(normals, vertex)));
-            isHere = isHere || shades[vertex] < 1;
-        }
-        if (isHere)
-            isAny = true;
-    });
-    return isAny ? shades : std::vector<float>();
+    return vertexShades(points, normals,
+                        [&](const Vec3& place, const Vec3& normal) { return material.shade(place, normal); });
 }
 
 } // namespace knead

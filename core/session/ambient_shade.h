@@ -22,7 +22,7 @@ public:
     ///
     ///     shade = 1 - ambientDarkest (1 - mean over u of product over grids of 1 - k f(x + u (1.5 H + h) / (u . n)))
     ///
-    /// with k from 1 at the finest to 0.4 at the coarsest grid. So far above a flat surface, grids know nothing of it. (Cones through
+    /// where the normal counts as much as two others, with k from 1 at the finest to 0.4 at the coarsest grid. So far above a flat surface, grids know nothing of it. (Cones through
     /// voxels: Crassin et al. 2011.)
     /// @param normal of unit length, outward
     double shade(const Vec3& place, const Vec3& normal) const;
@@ -34,7 +34,13 @@ private:
         Eigen::Array3i count = Eigen::Array3i::Zero();
         Eigen::Array3f last = Eigen::Array3f::Zero(); ///< number of the last cell
         std::vector<float> share;                     ///< x runs fastest
+
+        std::size_t indexOf(const Eigen::Array3i& cell) const;
+        void takeMeans(const Grid& finer);
     };
+
+    void layOut(const Box& box, double spacing);
+    void fillIn(const Snapshot::BodyState& body);
 
     // Places are counted in finest cells from the origin.
     float material(std::size_t grid, const Eigen::Array3f& place) const;

@@ -1,10 +1,9 @@
 #include "core/session/contact_shade.h"
 
 #include "core/mechanics/rigid_surface.h"
-#include "core/task/parallel.h"
+#include "core/session/vertex_shades.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -12,8 +11,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t verticesAtOnce = 2048; // per thread
-constexpr double reachOfPart = 0.3;          // in sizes: each distance of an imported part takes microseconds
+constexpr double reachOfPart = 0.3; // in sizes: each distance of an imported part takes microseconds
 
 /// Area of the shadow that a convex tool throws along a direction u of its frame [m^2]: sum of A |n . u| / 2 over faces.
 double silhouetteArea(const ToolShape& shape, const Vec3& direction)
@@ -99,26 +97,13 @@ std::vector<float> contactShades(std::span<const float> points, std::span<const 
     const std::vector<Occluder> occluders(tools.begin(), tools.end());
     if (occluders.empty())
         return {};
-    const auto at = [](std::span<const float> values, std::size_t vertex) -> Vec3 {
-        return Eigen::Map<const Eigen::Vector3f>(values.data() + 3 * vertex).cast<double>();
-    };
-    std::vector<float> shades(points.size() / 3, 1.0F);
-    std::atomic<bool> isAny = false;
-    forEachBlock(shades.size(), verticesAtOnce, [&](std::size_t begin, std::size_t end) {
-        bool isHere = false;
-        for (std::size_t vertex = begin; vertex < end; ++vertex) {
-            const Vec3 place = at(points, vertex);
-            double shade = 1;
-            for (const Occluder& tool : occluders)
-                if (tool.box().contains(place))
-                    shade *= tool.shade(place, at(normals, vertex));
-            shades[vertex] = static_cast<float>(shade);
-            isHere = isHere || shade < 1;
-        }
-        if (isHere)
-            isAny = true;
+    return vertexShades(points, normals, [&](const Vec3& place, const Vec3& normal) {
+        double shade = 1;
+        for (const Occluder& tool : occluders)
+            if (tool.box().contains(place))
+                shade *= tool.shade(place, normal);
+        return shade;
     });
-    return isAny ? shades : std::vector<float>();
 }
 
 } // namespace knead
