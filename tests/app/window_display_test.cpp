@@ -671,20 +671,20 @@ private slots:
             QTest::mouseRelease(divider, Qt::LeftButton, {}, divider->rect().center());
             drawn();
         };
-        bothThemes("compare");
         dragTo(added.x() + 15);
         QVERIFY(std::abs(*view().options().divider * view().width() - added.x() - 15) < 3);
         const QImage original = shot();
         QVERIFY(original.pixelColor(added).lightness() != material.lightness());
         QVERIFY(std::abs(original.pixelColor(added).lightness() -
                          original.pixelColor(added - QPoint(0, 60)).lightness()) < 25); // the ground
-        dragTo(added.x() - 120); // a triangle that it cuts is rounded otherwise, by a level of a color
+        dragTo(added.x() - 30);
         QTest::mouseMove(&view(), QPoint(5, 5)); // what lies under the mouse is highlighted
         QTRY_COMPARE(shot().pixelColor(added), material);
         divider->setFocus();
         const double share = *view().options().divider;
         QTest::keyClick(divider, Qt::Key_Right);
         QVERIFY(*view().options().divider > share);
+        bothThemes("compare"); // last: with another theme panels may be of another width, and pixels of other places
         QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
         QVERIFY(!view().options().divider);
     }
