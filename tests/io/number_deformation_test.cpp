@@ -1,6 +1,8 @@
 #include "core/deformation/number_deformation.h"
 #include "io/export/plane_division.h"
+#include "io/morph/brep_morph.h"
 #include "support/export_jobs.h"
+#include "support/space_maps.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -77,6 +79,14 @@ std::vector<gp_Torus> toriOf(const TopoDS_Shape& shape)
     return tori;
 }
 
+/// 10 mm each way, with a hole of radius 2 mm through its middle; the seam of that is at x = 7.
+TopoDS_Shape boredCube()
+{
+    const TopoDS_Shape cube = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+    const gp_Ax2 axis(gp_Pnt(5, 5, 0), gp::DZ());
+    return BRepAlgoAPI_Cut(cube, BRepPrimAPI_MakeCylinder(axis, 2, 10).Shape()).Shape();
+}
+
 void tell(const ExportedFile& file)
 {
     for (const std::string& line : linesOf(file.report))
@@ -96,6 +106,7 @@ private slots:
     void aBendBackGivesTheTubeBack();
     void whatEasesIsNotDivided();
     void facesAreDividedOnlyWherePlanesGoThrough();
+    void piecesThatShareASurfaceStayFit();
 };
 
 /// Pappus: the volume is the area of the section times the way of its center, which keeps its length.
@@ -227,9 +238,7 @@ void NumberDeformationTest::whatEasesIsNotDivided()
 
 void NumberDeformationTest::facesAreDividedOnlyWherePlanesGoThrough()
 {
-    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
-    const TopoDS_Shape bored =
-        BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, 0), gp::DZ()), 2, 10).Shape()).Shape();
+    const TopoDS_Shape bored = boredCube();
     const auto dividedAt = [&](double x) {
         return dividedAtPlanes(bored, std::vector{gp_Pln(gp_Pnt(x, 100, -30), gp::DX())});
     };
@@ -246,6 +255,17 @@ void NumberDeformationTest::facesAreDividedOnlyWherePlanesGoThrough()
         QCOMPARE(none->divided, std::size_t{0});
         QVERIFY(none->shape.shape.IsSame(bored));
     }
+}
+
+void NumberDeformationTest::piecesThatShareASurfaceStayFit()
+{
+    const auto divided = dividedAtPlanes(boredCube(), std::vector{gp_Pln(gp_Pnt(5, 0, 0), gp::DX())});
+    QVERIFY(divided);
+    const maps::Identity stays;
+    const MorphedShape carried = morphShape(divided->shape.shape, stays, {}, TaskControl::none());
+    QVERIFY(carried.isValid); // on both sides of the seam of the hole, at x = 7, lies a piece of it
+    for (const MorphedFaceNote& note : carried.notes)
+        QVERIFY(note.kind == MorphedFaceKind::kept);
 }
 
 QTEST_GUILESS_MAIN(NumberDeformationTest)
