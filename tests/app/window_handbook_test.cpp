@@ -218,7 +218,7 @@ private slots:
 
     void everyPageIsThereAndItsLinksLeadSomewhere()
     {
-        static const QRegularExpression link(R"(\]\(([^)\s]+)\))");
+        static const QRegularExpression link(R"((?<!!)\[[^\]]+\]\(([^)\s]+)\))");
         action("handbook")->trigger();
         auto* book = find<HandbookWindow>("handbook");
         int links = 0;
@@ -235,6 +235,33 @@ private slots:
             }
         }
         QVERIFY(links >= 1);
+    }
+
+    void itsPicturesAreThereAndAsWideAsTheText()
+    {
+        static const QRegularExpression picture(R"(!\[([^\]]*)\]\(([^)\s]+)\))");
+        action("handbook")->trigger();
+        auto* book = find<HandbookWindow>("handbook");
+        auto* text = find<QTextBrowser>("handbookText");
+        int pictures = 0;
+        for (const handbook::Page& page : handbook::pages())
+            for (const QRegularExpressionMatch& match : picture.globalMatch(page.text)) {
+                QVERIFY2(match.captured(1).size() > 20, qPrintable(page.name + ": says not what is to be seen"));
+                book->open(page.name);
+                for (const int width : {940, 700}) {
+                    book->resize(width, 680);
+                    QTRY_COMPARE(book->width(), width);
+                    const auto shown =
+                        text->document()->resource(QTextDocument::ImageResource, match.captured(2)).value<QPixmap>();
+                    QVERIFY2(!shown.isNull(), qPrintable(match.captured(2)));
+                    QVERIFY(shown.deviceIndependentSize().width() <= text->viewport()->width());
+                    QVERIFY(shown.deviceIndependentSize().width() > 0.8 * text->viewport()->width());
+                }
+                ++pictures;
+            }
+        QVERIFY(pictures >= 10);
+        book->open("deforming");
+        this->picture("handbook-pictures");
     }
 
     /// "*File > Export as recipe*", and keys.

@@ -16,7 +16,7 @@ Page read(const QString& name)
     QFile file(":/handbook/" + name + ".md");
     if (!file.open(QFile::ReadOnly))
         return {name, name, {}, {}};
-    static const QRegularExpression elsewhere(R"(\[([^\]]+)\]\((?!http)[^)]*(?<!\.md)\))"); // files, not pages
+    static const QRegularExpression elsewhere(R"((?<!!)\[([^\]]+)\]\((?!http)[^)]*(?<!\.md)\))"); // files, not pages
     const QString text = QString::fromUtf8(file.readAll()).replace(elsewhere, R"(\1)");
     QTextDocument read;
     read.setMarkdown(text);

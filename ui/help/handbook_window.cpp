@@ -1,6 +1,7 @@
 #include "ui/help/handbook_window.h"
 
 #include "ui/help/handbook.h"
+#include "ui/help/page_browser.h"
 
 #include <QDesktopServices>
 #include <QFileInfo>
@@ -8,10 +9,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSplitter>
-#include <QTextBlock>
-#include <QTextBrowser>
 #include <QTextCursor>
-#include <QTextTable>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -21,38 +19,13 @@ namespace {
 
 constexpr int pageName = Qt::UserRole;
 
-/// Headings and tables come without room around them.
-void makeRoom(QTextDocument& document)
-{
-    QTextCursor cursor(&document);
-    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
-        QTextBlockFormat format = block.blockFormat();
-        constexpr int line = 120; // of a line's height [%]
-        format.setLineHeight(line, QTextBlockFormat::ProportionalHeight);
-        if (format.headingLevel() > 1) {
-            format.setTopMargin(18);
-            format.setBottomMargin(6);
-        }
-        cursor.setPosition(block.position());
-        cursor.setBlockFormat(format);
-    }
-    for (QTextFrame* frame : document.rootFrame()->childFrames())
-        if (auto* table = qobject_cast<QTextTable*>(frame)) {
-            QTextTableFormat format = table->format();
-            format.setCellPadding(4);
-            format.setCellSpacing(0);
-            format.setBorder(0);
-            table->setFormat(format);
-        }
-}
-
 } // namespace
 
 HandbookWindow::HandbookWindow(QWidget* parent)
     : ModelessDialog(parent)
     , m_search(new QLineEdit(this))
     , m_pages(new QListWidget(this))
-    , m_text(new QTextBrowser(this))
+    , m_text(new PageBrowser(this))
 {
     setObjectName("handbook");
     setWindowTitle(tr("Handbook"));
@@ -61,8 +34,6 @@ HandbookWindow::HandbookWindow(QWidget* parent)
     m_search->setClearButtonEnabled(true);
     m_pages->setObjectName("handbookPages");
     m_text->setObjectName("handbookText");
-    m_text->setOpenLinks(false);
-    m_text->document()->setDocumentMargin(18);
     auto* left = new QWidget(this);
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(8, 8, 8, 8);
@@ -130,9 +101,7 @@ void HandbookWindow::list(const QString& wanted)
 void HandbookWindow::showPage()
 {
     const handbook::Page* shown = handbook::pageNamed(page());
-    m_text->setMarkdown(shown != nullptr ? shown->text : tr("No page has these words."));
-    makeRoom(*m_text->document());
-    m_text->moveCursor(QTextCursor::Start);
+    m_text->showPage(shown != nullptr ? shown->text : tr("No page has these words."));
 }
 
 /// The next place of the first word, from the top again after the last one.

@@ -4,10 +4,11 @@
 
 class QLineEdit;
 class QListWidget;
-class QTextBrowser;
 class QUrl;
 
 namespace knead {
+
+class PageBrowser;
 
 /// The handbook beside the window: pages on the left, found by words; the page on the right.
 class HandbookWindow final : public ModelessDialog {
@@ -27,7 +28,7 @@ private:
 
     QLineEdit* m_search;
     QListWidget* m_pages;
-    QTextBrowser* m_text;
+    PageBrowser* m_text;
 };
 
 } // namespace knead
