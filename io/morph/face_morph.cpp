@@ -224,7 +224,7 @@ private:
             curves.first = edge.first;
             curves.last = edge.last;
             if (isExact) {
-                curves.curves = edge.curves;
+                std::ranges::copy(edge.shifted(), curves.curves.begin());
                 continue;
             }
             std::size_t side = 0;

@@ -2,6 +2,7 @@
 
 #include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
+#include "io/morph/wire_periods.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace knead {
 
@@ -149,29 +151,36 @@ void TrimmedFace::addWire(const TopoDS_Shape& wire, WireBox& box)
             double last = 0;
             found.curves[1] = curveOn(m_face, TopoDS::Edge(edge.Reversed()), first, last);
         }
-        for (const Handle(Geom2d_Curve) & curve : found.curves) {
-            if (curve.IsNull())
-                continue;
-            const int samples = samplesOf(curve, found.first, found.last);
-            for (int i = 0; i <= samples; ++i) {
-                const gp_Pnt2d at = curve->Value(found.first + (found.last - found.first) * i / samples);
-                box.low = box.low.cwiseMin(Vec2(at.X(), at.Y()));
-                box.high = box.high.cwiseMax(Vec2(at.X(), at.Y()));
-            }
-        }
         takeRangeInSpace(found);
         m_edges.push_back(found);
     }
     box.lastEdge = m_edges.size();
+    const std::span<FaceEdge> edges = std::span(m_edges).subspan(box.firstEdge);
+    bringIntoOnePeriod(edges, period());
+    for (const FaceEdge& edge : edges)
+        for (const Handle(Geom2d_Curve) & curve : edge.shifted()) {
+            const int samples = samplesOf(curve, edge.first, edge.last);
+            for (int i = 0; i <= samples; ++i) {
+                const gp_Pnt2d at = curve->Value(edge.first + (edge.last - edge.first) * i / samples);
+                box.low = box.low.cwiseMin(Vec2(at.X(), at.Y()));
+                box.high = box.high.cwiseMax(Vec2(at.X(), at.Y()));
+            }
+        }
     m_low = m_low.cwiseMin(box.low);
     m_high = m_high.cwiseMax(box.high);
+}
+
+/// Of the surface, along u and v; 0 where it has none.
+Vec2 TrimmedFace::period() const
+{
+    const Handle(Geom_Surface)& surface = m_surface.Surface();
+    return {surface->IsUPeriodic() ? surface->UPeriod() : 0, surface->IsVPeriodic() ? surface->VPeriod() : 0};
 }
 
 /// Shifts wires that lie a period away into the box of the largest one.
 void TrimmedFace::bringTogether(std::vector<WireBox>& wires)
 {
-    const Handle(Geom_Surface)& surface = m_surface.Surface();
-    const Vec2 period(surface->IsUPeriodic() ? surface->UPeriod() : 0, surface->IsVPeriodic() ? surface->VPeriod() : 0);
+    const Vec2 period = this->period();
     const auto isTooWide = [&](Eigen::Index axis) {
         return period[axis] > 0 && m_high[axis] - m_low[axis] > period[axis] * (1 + samePart);
     };
@@ -194,7 +203,7 @@ void TrimmedFace::bringTogether(std::vector<WireBox>& wires)
             shift[axis] = -period[axis] * std::floor((middle - begin) / period[axis]);
         }
         for (std::size_t edge = wire.firstEdge; edge < wire.lastEdge; ++edge)
-            m_edges[edge].shift = gp_Vec2d(shift[0], shift[1]);
+            m_edges[edge].shift += gp_Vec2d(shift[0], shift[1]);
         m_low = m_low.cwiseMin(wire.low + shift);
         m_high = m_high.cwiseMax(wire.high + shift);
     }
@@ -207,7 +216,7 @@ void TrimmedFace::snapToBounds()
     Vec2 low;
     Vec2 high;
     surface->Bounds(low[0], high[0], low[1], high[1]);
-    const Vec2 period(surface->IsUPeriodic() ? surface->UPeriod() : 0, surface->IsVPeriodic() ? surface->VPeriod() : 0);
+    const Vec2 period = this->period();
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
         const double same = samePart * (m_high[axis] - m_low[axis]);
         if (period[axis] > 0) {

@@ -21,7 +21,7 @@ struct FaceEdge {
         curves; ///< along the edge; the second one for the other side of a seam, or null
     double first = 0;
     double last = 0;
-    gp_Vec2d shift; ///< by whole periods, into the box of the face
+    gp_Vec2d shift; ///< by whole periods, so that wires run on, and into the box of the face
 
     std::vector<Handle(Geom2d_Curve)> shifted() const; ///< one or two
 };
@@ -54,6 +54,7 @@ public:
 private:
     struct WireBox;
 
+    Vec2 period() const;
     void addWire(const TopoDS_Shape& wire, WireBox& box);
     void bringTogether(std::vector<WireBox>& wires);
     void snapToBounds();

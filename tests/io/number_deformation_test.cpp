@@ -9,13 +9,19 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <QtTest>
 #include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Vec2d.hxx>
 
 #include <cmath>
 #include <numbers>
@@ -107,6 +113,7 @@ private slots:
     void whatEasesIsNotDivided();
     void facesAreDividedOnlyWherePlanesGoThrough();
     void piecesThatShareASurfaceStayFit();
+    void anEdgeThatLiesAPeriodAwayIsBroughtBack();
 };
 
 /// Pappus: the volume is the area of the section times the way of its center, which keeps its length.
@@ -266,6 +273,28 @@ void NumberDeformationTest::piecesThatShareASurfaceStayFit()
     QVERIFY(carried.isValid); // on both sides of the seam of the hole, at x = 7, lies a piece of it
     for (const MorphedFaceNote& note : carried.notes)
         QVERIFY(note.kind == MorphedFaceKind::kept);
+}
+
+void NumberDeformationTest::anEdgeThatLiesAPeriodAwayIsBroughtBack()
+{
+    const TopoDS_Shape half = BRepPrimAPI_MakeCylinder(3, 8, pi).Shape();
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(half, TopAbs_FACE, faces);
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
+        if (GeomAdaptor_Surface(BRep_Tool::Surface(face)).GetType() != GeomAbs_Cylinder)
+            continue;
+        const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current().Oriented(TopAbs_FORWARD));
+        double first = 0;
+        double last = 0;
+        const auto curve = Handle(Geom2d_Curve)::DownCast(
+            BRep_Tool::CurveOnSurface(edge, face, first, last)->Translated(gp_Vec2d(-2 * pi, 0)));
+        BRep_Builder().UpdateEdge(edge, curve, face, 1e-7);
+    }
+    QVERIFY(!BRepCheck_Analyzer(half).IsValid());
+    const MorphedShape carried = morphShape(half, maps::Identity(), {}, TaskControl::none());
+    QVERIFY(carried.isValid);
+    QVERIFY(BRepCheck_Analyzer(carried.shape).IsValid());
 }
 
 QTEST_GUILESS_MAIN(NumberDeformationTest)
