@@ -7,6 +7,7 @@
 #include "io/worker/isolated_export.h"
 #include "io/worker/isolated_field.h"
 #include "io/worker/isolated_import.h"
+#include "io/worker/isolated_project.h"
 
 #include <algorithm>
 #include <atomic>
@@ -134,6 +135,16 @@ FieldFile readFieldInChild(const std::string& path, const FieldChoice& choice, T
 NodalMesh readNodesInChild(const std::string& path, const std::string& unit, TaskControl& control)
 {
     return readNodesIsolated(cadProgram(), path, unit, control);
+}
+
+Project readProjectAfterTrial(const std::string& path, TaskControl& control)
+{
+    return readTriedProject(cadProgram(), path, control);
+}
+
+RescuedProject rescueProjectAfterTrial(const std::string& path, TaskControl& control)
+{
+    return rescueTriedProject(cadProgram(), path, control);
 }
 
 Model importInChildren(const std::vector<std::string>& paths, const ImportOptions& options, TaskControl& control)

@@ -14,6 +14,8 @@
 namespace knead {
 
 struct NodalMesh; // io/fields/nodal_mesh.h
+struct Project;
+struct RescuedProject;
 
 /// Reads a file in a process of its own (knead-cad-worker), which is locked in, see io/worker/confinement.h, with the limits that its size calls for. Every import of the program goes this way:
 /// window, commands and recipes. On any thread, any number at a time.
@@ -40,6 +42,12 @@ FieldFile readFieldInChild(const std::string& path, const FieldChoice& choice, T
 /// @param unit of lengths in the file; empty: that which the file says, else mm
 /// @throws as importInChild()
 NodalMesh readNodesInChild(const std::string& path, const std::string& unit, TaskControl& control);
+
+/// Reads a project after a trial in a process of its own, see io/worker/isolated_project.h. Every project that somebody names is read
+/// this way; what the program itself kept for recovery is not.
+/// @throws DamagedProject, of which rescueProjectAfterTrial() may bring back a part; as importInChild()
+Project readProjectAfterTrial(const std::string& path, TaskControl& control);
+RescuedProject rescueProjectAfterTrial(const std::string& path, TaskControl& control);
 
 /// Which program reads and writes CAD files: at first that of the running program, see app/cad_program.h. For programs that are
 /// not knead, such as tests.

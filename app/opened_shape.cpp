@@ -75,7 +75,7 @@ std::vector<Message> remarksOnImport(const Model& model)
 PreparedProject openEntry(const std::string& path, std::optional<std::uint32_t> entry, TaskControl& control)
 {
     TaskPortion reading(control, 0, 0.3);
-    Project project = readProject(path, reading);
+    Project project = readProjectAfterTrial(path, reading);
     if (project.model == nullptr || project.entries.empty())
         throw Problem(aboutFile(path, Message("Measurement", "the project has no parts.")));
     project.current = entry.value_or(project.current);

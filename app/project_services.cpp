@@ -1,5 +1,6 @@
 #include "app/project_services.h"
 
+#include "app/cad_process.h"
 #include "io/project/project_file.h"
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
@@ -11,8 +12,8 @@ ProjectServices projectServices()
     ProjectServices services;
     services.ending = "knead";
     services.write = writeProject;
-    services.read = readProject;
-    services.rescue = rescueProject;
+    services.read = readProjectAfterTrial;
+    services.rescue = rescueProjectAfterTrial;
     services.lock = [](const std::string& path) { return std::make_shared<ProjectLock>(path); };
     services.keepWork = [] { return std::make_unique<RecoveryFile>(); };
     services.takeOver = [](const Recovery& recovery) { return std::make_unique<RecoveryFile>(recovery); };

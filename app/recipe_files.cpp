@@ -13,7 +13,7 @@ RecipeFiles recipeFiles()
 {
     return {.import = importInChildren,
             .isProject = isProjectFile,
-            .readProject = [](const std::string& path, TaskControl& control) { return readProject(path, control); },
+            .readProject = readProjectAfterTrial,
             .prepareFolders = prepareFolders,
             .writeExports = writeExports,
             .writeTable = writeFileSafely,

@@ -1,5 +1,6 @@
 #include "app/recipe_to_run.h"
 
+#include "app/cad_process.h"
 #include "app/resources.h"
 #include "core/document/project.h"
 #include "io/material_library.h"
@@ -16,7 +17,7 @@ namespace {
 RecipeToRun recipeOfSession(const std::string& path, const std::vector<MaterialPreset>& presets,
                             const std::vector<RecipeOverride>& changes)
 {
-    Project project = readProject(path);
+    Project project = readProjectAfterTrial(path, TaskControl::none());
     if (!changes.empty())
         project = withSettingsFirst(std::move(project));
     const RecipeOfProjectChoices choices{.recipePath = path, .projectPath = path, .namesProject = true};

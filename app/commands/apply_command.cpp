@@ -1,5 +1,6 @@
 #include "app/commands/apply_command.h"
 
+#include "app/cad_process.h"
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
 #include "app/commands/run_json.h"
@@ -99,7 +100,7 @@ Project sessionOf(const ApplyOptions& options, TaskControl& control)
         throw Problem(
             aboutFile(options.session, Message("Transfer", "this is no project of Knead. A recipe goes to "
                                                            "another part with knead run --set part.file=...")));
-    Project project = readProject(options.session, control);
+    Project project = readProjectAfterTrial(options.session, control);
     project.current = options.entry.value_or(project.current);
     if (project.current >= project.entries.size())
         throw Problem(aboutFile(options.session, Message("Transfer", "the project has no entry %1; its last is %2.")

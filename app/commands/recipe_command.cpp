@@ -48,8 +48,8 @@ std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 std::string recipeOfSession(const RecipeOptions& options, TerminalControl& control, std::vector<Message>& remarks)
 {
     RecipeOfProject recipe =
-        recipeOfProject(readProject(options.file, control), {.recipePath = options.output, .projectPath = options.file},
-                        readMaterials(materialsFile()));
+        recipeOfProject(readProjectAfterTrial(options.file, control),
+                        {.recipePath = options.output, .projectPath = options.file}, readMaterials(materialsFile()));
     remarks = std::move(recipe.remarks);
     return recipe.text;
 }

@@ -1,4 +1,5 @@
 #include "app/commands/replay_command.h"
+#include "app/cad_process.h"
 
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
@@ -10,7 +11,6 @@
 #include "app/thread_limit.h"
 #include "core/model/file_formats.h"
 #include "io/export/job_file.h"
-#include "io/project/project_file.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -148,7 +148,7 @@ int judge(const ReplayOptions& options, const ReplayReport& report)
 int repeat(const ReplayOptions& options, TerminalControl& control, int& failure)
 {
     TaskPortion reading(control, 0, 0.1);
-    const Project project = readProject(options.project, reading);
+    const Project project = readProjectAfterTrial(options.project, reading);
     const ReplayChoices choices{.entries = entriesOf(options, project),
                                 .from =
                                     options.fromMoments ? HistoryReplay::From::moments : HistoryReplay::From::starts,

@@ -1,11 +1,11 @@
 #include "app/commands/trace_command.h"
+#include "app/cad_process.h"
 
 #include "app/commands/carry_out.h"
 #include "app/commands/command_output.h"
 #include "app/exit_status.h"
 #include "app/trace_services.h"
 #include "core/message/message.h"
-#include "io/project/project_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,7 +26,7 @@ struct TraceOptions {
 
 std::string scriptOf(const TraceOptions& options, TerminalControl& control)
 {
-    const Project project = readProject(options.project, control);
+    const Project project = readProjectAfterTrial(options.project, control);
     const std::uint32_t entry = options.entry.value_or(project.current);
     if (entry >= project.entries.size() && !project.entries.empty())
         throw Problem(

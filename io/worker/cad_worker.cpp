@@ -3,6 +3,7 @@
 #include "io/worker/export_worker.h"
 #include "io/worker/field_worker.h"
 #include "io/worker/import_worker.h"
+#include "io/worker/project_worker.h"
 
 #include <iostream>
 
@@ -19,6 +20,8 @@ int workForParent(int argc, char** argv)
         runExportWorker(argc, argv);
     if (isFieldWorker(argc, argv))
         runFieldWorker(argc, argv);
+    if (isProjectWorker(argc, argv))
+        runProjectWorker(argc, argv);
     std::cerr << "knead-cad-worker: knead starts this program to read and write CAD files; start knead instead.\n";
     return 2;
 }

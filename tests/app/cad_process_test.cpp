@@ -1,12 +1,16 @@
 #include "app/cad_process.h"
 #include "app/cad_program.h"
 #include "io/importer.h"
+#include "io/project/project_file.h"
 #include "io/worker/confinement.h"
 #include "io/worker/isolated_import.h"
+#include "support/same_values.h"
+#include "support/sample_project.h"
 #include "support/skip.h"
 #include "support/step_machine.h"
 
 #include <QtTest>
+#include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cerrno>
 #include <csignal>
@@ -168,6 +172,73 @@ private slots:
     }
 
     void initTestCase() { setCadProgram(program); }
+
+    void aProjectIsReadAfterATrial()
+    {
+        const std::string path = m_folder.filePath("räumlich 'sound'.knead").toStdString();
+        const Project written = sample::project();
+        writeProject(path, written);
+        StageNames stages;
+        QVERIFY(same::values(readProjectAfterTrial(path, stages), written));
+        QVERIFY(stages.isForward);
+        QVERIFY(stages.last > 0.5); // past the trial
+        QVERIFY(same::values(rescueProjectAfterTrial(path, TaskControl::none()).project, written));
+        CancelAt cancel("opening the history");
+        QVERIFY_THROWS_EXCEPTION(Cancelled, readProjectAfterTrial(path, cancel));
+    }
+
+    /// The window offers to bring back a part of it, as where it was read here alone.
+    void aDamagedProjectIsSaidToBeThat()
+    {
+        const std::string path = m_folder.filePath("damaged.knead").toStdString();
+        writeProject(path, sample::project());
+        {
+            SQLite::Database database(path, SQLite::OPEN_READWRITE);
+            database.exec("DELETE FROM bodies");
+        }
+        const auto complaint = [&](const auto& read) {
+            try {
+                read(path, TaskControl::none());
+            } catch (const DamagedProject& damage) {
+                return damage.message();
+            }
+            return Message();
+        };
+        QVERIFY(!complaint(readProject).empty());
+        QCOMPARE(complaint(readProjectAfterTrial).english(), complaint(readProject).english());
+        QVERIFY(!rescueProjectAfterTrial(path, TaskControl::none()).missing.empty());
+        QVERIFY_THROWS_EXCEPTION(Problem, readProjectAfterTrial(path + ".not", TaskControl::none()));
+    }
+
+    /// Whatever a project does to its reader, it does to one of its own.
+    void aProjectThatEndsItsReaderCostsASentence_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("crash") << "kill -SEGV $$"
+                               << "the reader crashed";
+        QTest::newRow("killed at the last moment") << "'%1' \"$@\"\nkill -KILL $$"
+                                                   << "the reader crashed";
+        QTest::newRow("says nothing") << "exit 0"
+                                      << "Nothing was";
+    }
+
+    void aProjectThatEndsItsReaderCostsASentence()
+    {
+        QFETCH(QString, script);
+        QFETCH(QString, words);
+        const std::string path = m_folder.filePath("sound.knead").toStdString();
+        writeProject(path, sample::project());
+        setCadProgram(standIn(script.replace("%1", QString::fromStdString(program)).toStdString()));
+        std::string sentence;
+        try {
+            readProjectAfterTrial(path, TaskControl::none());
+        } catch (const Problem& problem) {
+            sentence = problem.what();
+        }
+        setCadProgram(program);
+        QVERIFY2(mentions(sentence, "sound.knead") && mentions(sentence, words.toStdString()), sentence.c_str());
+    }
 
     void theModelIsThatOfTheReader()
     {
