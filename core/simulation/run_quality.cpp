@@ -12,6 +12,9 @@ namespace {
 constexpr double smallPenetration = 0.1; // [spacings]
 constexpr double smallImbalance = 0.01;
 constexpr double smallAddedMass = 0.01;
+// Up to these nobody needs to stop working: a thumb that is pressed into clay or rubber as it comes reaches the half of them.
+constexpr double minorPenetration = 0.5; // [spacings]
+constexpr double minorImbalance = 0.05;
 
 } // namespace
 
@@ -27,7 +30,9 @@ RunQuality qualityOf(const Snapshot& now)
 std::vector<Remark> remarksOn(const RunQuality& quality)
 {
     std::vector<Remark> remarks;
-    const auto add = [&](Concern concern, Message sentence) { remarks.push_back({concern, std::move(sentence)}); };
+    const auto add = [&](Concern concern, Message sentence, bool isMinor = false) {
+        remarks.push_back({concern, std::move(sentence), isMinor});
+    };
     if (quality.unsolvedSteps > 0)
         add(Concern::unsolved,
             Message("Run",
@@ -38,13 +43,15 @@ std::vector<Remark> remarksOn(const RunQuality& quality)
         add(Concern::imbalance,
             Message("Run",
                     "Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.")
-                .with(inDigits(100 * quality.imbalance, 2)));
+                .with(inDigits(100 * quality.imbalance, 2)),
+            quality.imbalance < minorImbalance);
     if (quality.penetration > smallPenetration)
         add(Concern::penetration,
             Message("Run",
                     "Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less "
                     "far, or choose a smaller spacing.")
-                .with(inDigits(quality.penetration, 2)));
+                .with(inDigits(quality.penetration, 2)),
+            quality.penetration < minorPenetration);
     if (quality.addedMass > smallAddedMass)
         add(Concern::addedMass,
             Message("Run",

@@ -25,7 +25,8 @@ enum class Concern : std::uint8_t { unsolved, imbalance, penetration, addedMass 
 /// Something that a person should know.
 struct Remark {
     Concern concern;
-    Message sentence; ///< with what to do
+    Message sentence;     ///< with what to do
+    bool isMinor = false; ///< shapes suffice to look at and to work on; who takes numbers from the run should know
 };
 
 /// Empty when all is well.

@@ -668,6 +668,7 @@ private slots:
         auto* folds = m_window->findChild<FoldWatch*>();
         auto* marks = view().findChild<FoldMarks*>();
         QSignalSpy said(folds, &FoldWatch::said);
+        QSignalSpy passed(folds, &FoldWatch::passed);
         QVERIFY(folds->folds().empty() && marks->places().empty());
         key(Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.45, patience);
@@ -694,6 +695,9 @@ private slots:
         QTRY_VERIFY(words->isVisible() && find<QWidget>("foldMarks")->isVisible());
         key(Qt::Key_R, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(folds->folds().empty() && marks->places().empty(), patience);
+        QCOMPARE(passed.size(), qsizetype{1});
+        QCOMPARE(passed[0], said[0]);
+        QVERIFY(m_window->banner().isHidden() || m_window->banner().sentence() != said[0][0].toString());
         QVERIFY(!find<QWidget>("foldMarks")->isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(!words->isVisible(), patience);
     }

@@ -58,6 +58,18 @@ private slots:
         QCOMPARE(desk.lines().size(), 7); // all of it
     }
 
+    void onlyWhatIsShownIsWithdrawn()
+    {
+        Desk desk;
+        desk.notices.remark("Folded.");
+        desk.notices.withdraw("Something else.");
+        desk.notices.withdraw({});
+        QVERIFY(!desk.banner.isHidden());
+        desk.notices.withdraw("Folded.");
+        QVERIFY(desk.banner.isHidden());
+        QCOMPARE(desk.lines().size(), 1); // it was so
+    }
+
     void aRemedyGoesWithItsSentence()
     {
         Desk desk;

@@ -129,6 +129,7 @@ FoldWatch::FoldWatch(Document& document, QObject* parent)
         m_found = nullptr;
         if (!std::exchange(m_folds, {}).empty())
             emit changed();
+        dropPassed();
     });
 }
 
@@ -138,14 +139,31 @@ void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
     const std::vector<Fold> before = std::exchange(m_folds, std::move(folds));
     for (const Fold& fold : m_folds)
         if (std::ranges::find(before, fold.body, &Fold::body) == before.end())
-            emit said(knead::said(
-                Message(
-                    "FoldWatch",
-                    "%1 is folded over itself near (%2): material was pushed over material, and its faces cross there "
-                    "in files, too. Undo the stroke, or press the place smooth with a larger tool.")
-                    .with(m_document.nameOfBody(fold.body).toStdString(), placeText(fold.place).toStdString())));
+            say(fold);
+    dropPassed();
     if (!m_folds.empty() || !before.empty())
         emit changed();
+}
+
+void FoldWatch::say(const Fold& fold)
+{
+    m_sentences[fold.body] = knead::said(
+        Message("FoldWatch",
+                "%1 is folded over itself near (%2): material was pushed over material, and its faces cross there "
+                "in files, too. Undo the stroke, or press the place smooth with a larger tool.")
+            .with(m_document.nameOfBody(fold.body).toStdString(), placeText(fold.place).toStdString()));
+    emit said(m_sentences[fold.body]);
+}
+
+/// What was said of bodies that are folded no more.
+void FoldWatch::dropPassed()
+{
+    std::erase_if(m_sentences, [this](const auto& sentence) {
+        const bool isThere = std::ranges::find(m_folds, sentence.first, &Fold::body) != m_folds.end();
+        if (!isThere)
+            emit passed(sentence.second);
+        return !isThere;
+    });
 }
 
 std::vector<Vec3> FoldWatch::placesOf(const Fold& fold) const

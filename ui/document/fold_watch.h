@@ -3,8 +3,10 @@
 #include "ui/document/background_look.h"
 
 #include <QObject>
+#include <QString>
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace knead {
@@ -33,14 +35,18 @@ public:
 signals:
     void changed();
     void said(const QString& sentence);
+    void passed(const QString& sentence); ///< said of a fold that is there no more
 
 private:
+    void say(const Fold& fold);
+    void dropPassed();
     void take(const FramePointer& frame, std::vector<Fold> folds);
 
     Document& m_document;
     FramePointer m_found; ///< that `m_folds` are of
     std::vector<Fold> m_folds;
-    BackgroundLook m_look; // last: ends first
+    std::map<BodyId, QString> m_sentences; ///< said of them
+    BackgroundLook m_look;                 // last: ends first
 };
 
 } // namespace knead

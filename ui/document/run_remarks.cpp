@@ -31,8 +31,18 @@ void RunRemarks::documentChanged(Document::Change what)
         m_stall = {};
     }
     if (what == Document::Change::Frame)
-        for (const Message& sentence : m_quality.see(*m_document.frame()->snapshot))
-            emit said(knead::said(sentence));
+        tell(m_quality.see(*m_document.frame()->snapshot));
+}
+
+void RunRemarks::tell(const QualityWatch::News& news)
+{
+    for (const Message& sentence : news.passed)
+        emit passed(knead::said(sentence));
+    for (const Remark& remark : news.said)
+        if (remark.isMinor)
+            emit noted(knead::said(remark.sentence));
+        else
+            emit said(knead::said(remark.sentence));
 }
 
 void RunRemarks::lookAtPace()

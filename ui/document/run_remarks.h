@@ -19,9 +19,12 @@ public:
 
 signals:
     void said(const QString& sentence);
+    void noted(const QString& sentence);  ///< not worth stopping for
+    void passed(const QString& sentence); ///< said before, and no longer so
 
 private:
     void documentChanged(Document::Change what);
+    void tell(const QualityWatch::News& news);
     void lookAtPace();
 
     Document& m_document;

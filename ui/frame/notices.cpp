@@ -1,5 +1,6 @@
 #include "ui/frame/notices.h"
 
+#include "ui/language/retranslation.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/log_panel.h"
 
@@ -63,6 +64,12 @@ QString Notices::shown() const
 void Notices::hide()
 {
     m_banner.hide();
+}
+
+void Notices::withdraw(const QString& sentence)
+{
+    if (!sentence.isEmpty() && shown() == saidAnew(sentence))
+        hide();
 }
 
 } // namespace knead

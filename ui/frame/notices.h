@@ -32,8 +32,9 @@ public:
 
     /// Something is wrong that remarks must not replace in the banner.
     void setGrave(bool isGrave) { m_isGrave = isGrave; }
-    QString shown() const; ///< in the banner, also when that is hidden
-    void hide();           ///< the banner
+    QString shown() const;                  ///< in the banner, also when that is hidden
+    void hide();                            ///< the banner
+    void withdraw(const QString& sentence); ///< from the banner, where it is that which is shown: it is no longer so
 
 signals:
     void otherClicked();

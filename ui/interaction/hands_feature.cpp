@@ -81,6 +81,7 @@ HandsFeature::HandsFeature(const Workbench& bench, Modes& modes)
     new FoldMarks(*folds, bench.viewport);
     new WarningMarks(*new WarningWatch(bench.document, *folds, this), bench.views);
     connect(folds, &FoldWatch::said, &bench.notices, &Notices::remark);
+    connect(folds, &FoldWatch::passed, &bench.notices, &Notices::withdraw);
     bench.docks.add("handsDock", tr("Hands"), scrolled(m_hands->makePanel()));
     bench.docks.add("forcesDock", tr("Forces"),
                     new ForcePanel(bench.document, m_hands->forceTableAction(), m_hands->forcesOfStrokesAction()));

@@ -85,6 +85,8 @@ SimulationFeature::SimulationFeature(const Workbench& bench, StatusReadings& rea
     });
     auto* remarks = new RunRemarks(bench.document, this);
     connect(remarks, &RunRemarks::said, &bench.notices, &Notices::remark);
+    connect(remarks, &RunRemarks::noted, &bench.notices, &Notices::warn);
+    connect(remarks, &RunRemarks::passed, &bench.notices, &Notices::withdraw);
     connect(&bench.notices, &Notices::otherClicked, &bench.document, &Document::reset);
     connect(&bench.document, &Document::changed, this, &SimulationFeature::documentChanged);
     connect(&bench.document, &Document::stopping, this, [this] {
@@ -190,21 +192,17 @@ void SimulationFeature::showNotice(const Message& notice)
 /// Too few cells across them, with a filling that has enough.
 void SimulationFeature::showWalls(const SpacingAssessment& fineness)
 {
-    const bool isSaid = !m_shownWalls.isEmpty() && m_bench.notices.shown() == saidAnew(m_shownWalls);
     const bool isFine = fineness.warning.empty() || m_bench.document.content().bodies.empty();
-    m_shownWalls = isFine ? QString() : said(fineness.warning);
-    if (isFine && isSaid)
-        m_bench.notices.hide();
+    const QString before = std::exchange(m_shownWalls, isFine ? QString() : said(fineness.warning));
     if (isFine)
-        return;
+        return m_bench.notices.withdraw(before);
     m_bench.notices.advise(m_shownWalls, tr("Fill finer"),
                            [this, spacing = fineness.advisedSpacing] { m_imports.refill(spacing); });
 }
 
 void SimulationFeature::showBalance(const QString& sentence)
 {
-    if (!m_shownImbalance.isEmpty() && m_bench.notices.shown() == saidAnew(m_shownImbalance))
-        m_bench.notices.hide(); // what it says is no longer so
+    m_bench.notices.withdraw(m_shownImbalance);
     m_bench.notices.note(sentence);
     m_bench.window.statusBar()->showMessage(sentence, outcomeTime);
 }
