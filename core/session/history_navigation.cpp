@@ -4,9 +4,44 @@
 #include "core/simulation/replay.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace knead {
+
+namespace {
+
+/// Takes away what the entry put there and would have taken away again at its end, as the fingers of a stroke and the other hand:
+/// nobody holds them where another branch begins.
+/// @param begin of the entry
+/// @param rest of its commands
+void letGo(Simulation& simulation, const Snapshot& begin, std::span<const RecordedCommand> rest)
+{
+    const std::shared_ptr<const Snapshot> now = simulation.snapshot();
+    const auto isNew = [](const auto& ids, const auto& before, auto id) {
+        return std::ranges::find(ids, id) != ids.end() && std::ranges::find(before, id) == before.end();
+    };
+    const auto toolsOf = [](const Snapshot& snapshot) {
+        std::vector<ToolId> tools;
+        for (const ToolState& tool : snapshot.tools)
+            tools.push_back(tool.id);
+        return tools;
+    };
+    for (const RecordedCommand& recorded : rest) {
+        if (std::holds_alternative<Reset>(recorded.command))
+            break; // what comes after it is about others
+        const auto* tool = std::get_if<RemoveManipulator>(&recorded.command);
+        const auto* fixture = std::get_if<RemoveFixture>(&recorded.command);
+        if ((tool != nullptr && isNew(toolsOf(*now), toolsOf(begin), tool->tool)) ||
+            (fixture != nullptr && isNew(now->fixtureIds, begin.fixtureIds, fixture->fixture)))
+            simulation.post(recorded.command);
+    }
+    simulation.applyCommands();
+}
+
+} // namespace
 
 HistoryDestination HistoryNavigation::go(TaskControl& control) const
 {
@@ -36,10 +71,12 @@ Branch HistoryNavigation::branch(const std::vector<RecordedCommand>& commands, s
     TaskPortion going(control, 0, way.commands.empty() ? 0.05 : 0.5);
     Simulation simulation(scene);
     simulation.goTo(follow(way, scene, packing, going));
+    const std::shared_ptr<const Snapshot> atBegin = simulation.snapshot();
     const std::vector<RecordedCommand> before = commandsBefore(commands, run, upToStep);
     const std::uint64_t begin = resetsIn(before) == 0 ? simulation.stepCount() : 0;
     TaskPortion repeating(control, way.commands.empty() ? 0.05 : 0.5, 1);
     simulation = replay(std::move(simulation), before, std::max(begin, upToStep), repeating);
+    letGo(simulation, *atBegin, std::span(commands).subspan(before.size()));
     return {endGesture(simulation)};
 }
 

@@ -36,7 +36,8 @@ struct HistoryNavigation {
 
     /// @throws std::runtime_error with a sentence; Cancelled
     HistoryDestination go(TaskControl& control) const;
-    /// Goes there, and on as it went on then, up to a step.
+    /// Goes there, and on as it went on then, up to a step. What a stroke would have taken away at its end, its fingers, is taken away
+    /// there.
     /// @param run see commandsBefore()
     /// @throws as go()
     Branch branch(const std::vector<RecordedCommand>& commands, std::uint32_t run, std::uint64_t upToStep,

@@ -2,6 +2,7 @@
 #include "core/session/history_outline.h"
 #include "core/session/timeline.h"
 #include "core/simulation/moment.h"
+#include "core/simulation/replay.h"
 #include "support/scenes.h"
 
 #include <QtTest>
@@ -282,6 +283,39 @@ private slots:
             QCOMPARE(branch.gesture.hash, hashes[run]);
             QCOMPARE(resetsIn(branch.gesture.commands), run);
         }
+    }
+
+    /// A finger that the stroke would have lifted at its end, and the other hand, are let go of; what stays in the entry stays.
+    void aBranchWithinAStrokeIsWithoutItsFingers()
+    {
+        Scene scene;
+        scene.bodies.push_back(scenes::box({3, 3, 3}, 2e-3));
+        Simulation simulation(scene);
+        const HistoryRecord first = recordOf(endGesture(simulation), "start");
+        Manipulator finger{.name = "Finger 1", .size = Vec3::Constant(2e-3)};
+        finger.pose.position = Vec3(0, 0, 0.1);
+        Manipulator block = finger;
+        block.name = "Block 1";
+        simulation.post(AddManipulator{finger});
+        simulation.post(AddManipulator{block});
+        simulation.post(AddFixture{{"Other hand 1", 0, {0, 1}}});
+        for (int i = 0; i < 20; ++i)
+            simulation.step();
+        simulation.post(RemoveManipulator{simulation.snapshot()->tools.front().id});
+        simulation.post(RemoveFixture{simulation.snapshot()->fixtureIds.front()});
+        simulation.step();
+        const Gesture stroke = endGesture(simulation);
+        HistoryNavigation navigation;
+        navigation.way = History(first).wayTo(0);
+        navigation.start.start.scene = scene;
+        const Gesture branch = navigation.branch(stroke.commands, 0, 10, TaskControl::none()).gesture;
+        Simulation there(scene);
+        there.goTo(branch.moment);
+        QCOMPARE(there.stepCount(), std::uint64_t{10});
+        QCOMPARE(there.snapshot()->tools.size(), std::size_t{1});
+        QCOMPARE(there.snapshot()->tools[0].name, std::string("Block 1"));
+        QVERIFY(there.snapshot()->fixtures.empty());
+        QCOMPARE(replay(Simulation(scene), branch.commands, 10).stateHash(), branch.hash); // as it is kept
     }
 
     void anotherStartBeginsAnotherLine()
