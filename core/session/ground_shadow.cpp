@@ -34,13 +34,22 @@ public:
         known = std::min(known, static_cast<float>(std::max(0.0, height - m_ground)));
     }
 
+    void lower(int x, int y, const Vec3& place)
+    {
+        if (m_cut == nullptr || m_cut->distance(place) <= 0)
+            lower(x, y, place.z());
+    }
+
+    /// What is cut off of the triangles that are added.
+    void cut(const CutPlane* plane) { m_cut = plane; }
+
     /// All values that the triangle covers, and the one nearest to its first corner.
     void add(const Vec3& a, const Vec3& b, const Vec3& c)
     {
         const Eigen::Vector2d p = at(a);
         const Eigen::Vector2d q = at(b);
         const Eigen::Vector2d r = at(c);
-        lower(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())), a.z());
+        lower(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())), a);
         const Eigen::Vector2d u = q - p;
         const Eigen::Vector2d v = r - p;
         const double area = u.x() * v.y() - u.y() * v.x();
@@ -55,7 +64,7 @@ public:
                 const double second = (d.x() * v.y() - d.y() * v.x()) / area;
                 const double third = (u.x() * d.y() - u.y() * d.x()) / area;
                 if (second >= 0 && third >= 0 && second + third <= 1)
-                    lower(x, y, a.z() + second * (b.z() - a.z()) + third * (c.z() - a.z()));
+                    lower(x, y, a + second * (b - a) + third * (c - a));
             }
     }
 
@@ -100,6 +109,7 @@ private:
             }
     }
 
+    const CutPlane* m_cut = nullptr; ///< null: nothing is
     double m_ground;
     double m_step = 0;
     Eigen::Vector2d m_low = Eigen::Vector2d::Zero();
@@ -108,7 +118,8 @@ private:
 
 } // namespace
 
-GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const ShadowProbe> probes, double height)
+GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const ShadowProbe> probes, double height,
+                          const std::optional<CutPlane>& cut)
 {
     const auto point = [](const ShadowCaster& caster, std::uint32_t vertex) -> Vec3 {
         return Eigen::Map<const Eigen::Vector3f>(caster.points.data() + std::size_t{3} * vertex).cast<double>();
@@ -122,6 +133,7 @@ GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const
     if (box.isEmpty())
         return {};
     Heights heights(box, height);
+    heights.cut(cut ? &*cut : nullptr);
     for (const ShadowCaster& caster : casters)
         for (const auto& [a, b, c] : caster.triangles)
             heights.add(point(caster, a), point(caster, b), point(caster, c));

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/geometry/plane_section.h"
 #include "core/geometry/vec3.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,8 @@ struct ShadowProbe {
 
 /// With h the height above the ground of what is lowest, darkness = 1 / (1 + (h / s)^2), s a share of the size of all, blurred a little.
 /// @param height of the ground [m]; what lies below it counts as on it
-GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const ShadowProbe> probes, double height);
+/// @param cut what it cuts off of the casters throws no shadow
+GroundShadow groundShadow(std::span<const ShadowCaster> casters, std::span<const ShadowProbe> probes, double height,
+                          const std::optional<CutPlane>& cut = {});
 
 } // namespace knead

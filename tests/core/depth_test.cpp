@@ -129,6 +129,16 @@ private slots:
         QCOMPARE(groundShadow({}, {}, 0).side, 0);
     }
 
+    /// What a section plane cuts off is not seen, and neither is its shadow.
+    void whatIsCutOffCastsNone()
+    {
+        Sheet sheet(0);
+        const ShadowCaster caster{sheet.mesh.triangles, sheet.points};
+        const GroundShadow shadow = groundShadow({{caster}}, {}, 0, CutPlane{Vec3::UnitX(), 0.1});
+        QVERIFY(darknessAt(shadow, -0.3, 0) > 0.95F);
+        QVERIFY(darknessAt(shadow, 0.3, 0) < 0.05F);
+    }
+
     /// A tool says itself how high it is above a place.
     void toolsCastOneToo()
     {

@@ -166,11 +166,12 @@ void SceneView::setStyle(const SceneStyle& style)
         showTools();
 }
 
-/// While a plane is dragged, many times a second, only what is cut is shown anew: laying grid and shadow, which took most of such
-/// a step, and all that is drawn in it stay.
+/// While a plane is dragged, many times a second, only what is cut is shown anew, and the shadow of what is left: laying the grid,
+/// which took most of such a step, and all that is drawn in it stay.
 void SceneView::setOptions(const SceneOptions& options)
 {
     if (std::exchange(m_hasOptions, true) && isOnlyCutElsewhere(m_options, options)) {
+        m_isShadowNew = m_isShadowNew || options.section.plane != m_options.section.plane;
         m_options = options;
         m_parts->fields->setCut(options);
         return;
@@ -296,7 +297,7 @@ void SceneView::layShadow()
                                   return pickTool(up, {tool.kind, tool.size, tool.part}, tool.pose).value_or(-1);
                               }});
         }
-    m_parts->shadow->lay(groundShadow(casters, probes, m_gridHeight), m_gridHeight);
+    m_parts->shadow->lay(groundShadow(casters, probes, m_gridHeight, m_options.section.plane), m_gridHeight);
 }
 
 void SceneView::setCamera(const Camera& camera)
