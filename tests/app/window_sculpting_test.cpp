@@ -2,6 +2,9 @@
 #include "support/history_on_test.h"
 #include "ui/interaction/hands.h"
 #include "ui/interaction/sculpt_hand.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/timeline_axis.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/run_window.h"
 
 #include <QMenu>
@@ -69,6 +72,37 @@ private slots:
         QVERIFY2(presentName().startsWith(entry), qPrintable(presentName()));
         verifyUndo(before, presentName());
         verifyStraightRun();
+    }
+
+    /// What is seen is not there any more: that is said, and not for longer than it is so.
+    void thePastIsNotSculpted()
+    {
+        openBar();
+        QVERIFY(action("pressIt")->isEnabled());
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        simulate(0.2);
+        settle();
+        undo();
+        settle();
+        auto* timeline = find<TimelinePanel>("timelinePanel");
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        QTRY_VERIFY(!axis->timeline().pictures.empty());
+        QTRY_VERIFY(action("pressIt")->isEnabled());
+        const QPoint place = axis->placeOf(0.5 * axis->timeline().end);
+        QTest::mouseClick(axis, Qt::LeftButton, {}, place);
+        QTRY_VERIFY(timeline->isLookingBack() && view().isLookingBack());
+        QVERIFY(!action("pressIt")->isEnabled() && !find<QWidget>("pressButton")->isVisible());
+        action("sculptThumb")->trigger();
+        press(onTop(0.7));
+        release();
+        QVERIFY(!hand().isStroking());
+        QVERIFY2(m_window->banner().sentence().contains("Esc returns"), qPrintable(m_window->banner().sentence()));
+        QVERIFY(!m_window->banner().isHidden());
+        key(Qt::Key_Escape);
+        key(Qt::Key_Escape);
+        QVERIFY(!timeline->isLookingBack());
+        QVERIFY(m_window->banner().isHidden());
+        QVERIFY(action("pressIt")->isEnabled());
     }
 
     void theOtherSideIsDoneToo()

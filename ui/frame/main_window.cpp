@@ -8,6 +8,7 @@
 #include "ui/frame/status_line.h"
 #include "ui/frame/window_menus.h"
 #include "ui/interaction/hands.h"
+#include "ui/interaction/view_hand.h"
 #include "ui/materials/material_store.h"
 #include "ui/measuring/measuring.h"
 #include "ui/measuring/shown_place.h"
@@ -277,6 +278,11 @@ void MainWindow::connectActions()
     connect(m_timeline, &TimelinePanel::looked, m_features->deforming,
             &DeformFeature::leave); // before the past is shown
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
+    connect(m_timeline, &TimelinePanel::looked, this, [this](const FramePointer& past) {
+        m_availability.update(); // some of it is for the present alone
+        if (!past)
+            m_notices->withdraw(ViewHand::notThePresent());
+    });
 }
 
 void MainWindow::connectTasks()

@@ -75,6 +75,10 @@ bool PressHand::mousePressed(QMouseEvent& event)
 {
     if (m_press && !m_press->isTold)
         return event.button() == Qt::LeftButton;
+    if (const QString reason = m_isOn ? whyNotNow(event) : QString(); !reason.isEmpty()) {
+        emit refused(reason);
+        return true;
+    }
     const std::optional<PickHit> hit = m_isOn ? pressedBody(event) : std::nullopt;
     if (!hit)
         return false;

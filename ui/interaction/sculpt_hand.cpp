@@ -150,6 +150,10 @@ bool SculptHand::mousePressed(QMouseEvent& event)
 {
     if (isStroking())
         return event.button() == Qt::LeftButton;
+    if (const QString reason = m_brush ? whyNotNow(event) : QString(); !reason.isEmpty()) {
+        emit refused(reason);
+        return true;
+    }
     const std::optional<PickHit> hit = m_brush ? pressedBody(event) : std::nullopt;
     if (!hit)
         return false;

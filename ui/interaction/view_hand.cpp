@@ -1,5 +1,6 @@
 #include "ui/interaction/view_hand.h"
 
+#include "ui/language/said.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QKeyEvent>
@@ -23,6 +24,19 @@ std::optional<PickHit> ViewHand::pressedBody(const QMouseEvent& event) const
         return {};
     const PickHit hit = m_view.hitAt(event.position());
     return hit.kind == PickHit::Kind::Body ? std::optional(hit) : std::nullopt;
+}
+
+QString ViewHand::whyNotNow(const QMouseEvent& event) const
+{
+    if (event.button() != Qt::LeftButton || !m_view.isLookingBack() || m_view.isOnCube(event.position()))
+        return {};
+    return notThePresent();
+}
+
+QString ViewHand::notThePresent()
+{
+    return said(Message("ViewHand", "What is seen here is not the present: Esc returns to it. To go on from an earlier "
+                                    "moment, press Branch here beside the timeline."));
 }
 
 bool ViewHand::eventFilter(QObject* watched, QEvent* event)

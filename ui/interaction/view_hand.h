@@ -22,6 +22,9 @@ class ViewHand : public QObject {
 public:
     ViewHand(Document& document, ViewportWidget& view);
 
+    /// What is said to who works at a moment that was, or is still to come.
+    static QString notThePresent();
+
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
@@ -39,6 +42,8 @@ protected:
 
     /// The place of a body, as it is now, that the left button is pressed on; tools and the cube are the view's.
     std::optional<PickHit> pressedBody(const QMouseEvent& event) const;
+    /// Why nothing is worked at wherever the left button is pressed; empty: it is, or the press is the cube's.
+    QString whyNotNow(const QMouseEvent& event) const;
 
     Document& m_document;
     ViewportWidget& m_view;
