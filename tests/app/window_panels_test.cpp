@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QWheelEvent>
+#include <QToolButton>
 #include <QtTest>
 
 #include <cmath>
@@ -30,6 +31,40 @@ private slots:
     void cleanup() { m_window.reset(); }
 
     void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
+    /// Literature is for who asks; the numbers come first.
+    void whereNumbersComeFromIsToldToWhoAsks()
+    {
+        openExample("bar.step");
+        auto* button = find<QToolButton>("materialWhence");
+        QVERIFY(button->isVisible() && !find<QLabel>("materialSource")->isVisible());
+        button->click();
+        QVERIFY(find<QLabel>("materialSource")->isVisible());
+        QVERIFY(find<QLabel>("materialSource")->text().contains("rubber", Qt::CaseInsensitive) ||
+                find<QLabel>("materialSource")->text().contains("sponge", Qt::CaseInsensitive));
+        button->click();
+        QVERIFY(!find<QLabel>("materialSource")->isVisible());
+    }
+
+    /// A knife lies across the part, is seen whole, and its numbers come forward; the status line says what makes it cut.
+    void aNewKnifeIsReadyToCut()
+    {
+        openExample("bar.step"); // along x
+        find<QDockWidget>("displayDock")->raise();
+        action("addKnife")->trigger();
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        const ToolState knife = snapshot().tools[0];
+        const Vec3 edge = knife.pose.rotation * Vec3::UnitX();
+        QVERIFY2(std::abs(edge.y()) > 1 - 1e-9, "it does not lie across the bar");
+        QVERIFY(knife.size.x() > document().content().box.sizes().y());
+        QTRY_VERIFY(find<QuantityField>("toolSizeX")->isVisible());
+        QVERIFY(m_window->viewport().showsAll());
+        QTRY_VERIFY(find<QLabel>("navigationHint")->text().contains("Space: play"));
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(find<QLabel>("navigationHint")->text().contains("PgDn: drive"));
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+    }
+
     {
         openExample("bracket.step");
         const std::pair<const char*, ToolKind> forms[] = {{"addBlock", ToolKind::box},

@@ -241,10 +241,12 @@ void MaterialPanel::measureSteps(const Snapshot& now)
 void MaterialPanel::showFacts()
 {
     constexpr double keepsUp = 0.95;
+    constexpr double leastRatio = 0.01; // that is worth a number
     const MaterialFacts facts = factsOf(m_document.content(), *m_document.frame()->snapshot, m_body, m_stepSeconds);
     m_soundSpeed->setText(formatReading(facts.soundSpeed, Quantity::Speed));
     m_stableStep->setText(formatReading(facts.stableStep, Quantity::Time));
-    const QString ratio = localNumber(facts.ratio, 'g', 2);
+    const QString ratio = facts.ratio < leastRatio ? tr("less than %1").arg(localNumber(leastRatio, 'g', 2))
+                                                   : localNumber(facts.ratio, 'g', 2);
     const QString about = facts.isMeasured ? ratio : tr("about %1").arg(ratio);
     m_ratio->setText(facts.ratio >= keepsUp ? tr("keeps up with real time") : tr("%1 of real time").arg(about));
     showWallCells(facts.cellsAcrossWall);

@@ -44,6 +44,7 @@ private:
     void showBody();
     void showMaterial();
     void showPreset();
+    void showSource();
     void showFacts();
     void listPresets();
     void measureSteps(const Snapshot& now);
@@ -77,6 +78,7 @@ private:
     QComboBox* m_preset = nullptr;
     QToolButton* m_rename = nullptr;
     QToolButton* m_delete = nullptr;
+    QToolButton* m_whence = nullptr; ///< shows and hides m_source
     QLabel* m_source = nullptr;
     QWidget* m_firmnessRow = nullptr;
     QSlider* m_firmness = nullptr;

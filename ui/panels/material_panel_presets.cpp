@@ -74,6 +74,15 @@ void MaterialPanel::makePresetRows()
     });
     connect(compared, &QToolButton::clicked, this, &MaterialPanel::compare);
     form->addRow(QString(), buttons);
+    m_whence = new QToolButton(this);
+    m_whence->setObjectName("materialWhence");
+    m_whence->setText(tr("Where the numbers come from"));
+    m_whence->setCheckable(true);
+    m_whence->setAutoRaise(true);
+    m_whence->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_whence->setArrowType(Qt::RightArrow);
+    form->addRow(m_whence);
+    connect(m_whence, &QToolButton::toggled, this, &MaterialPanel::showSource);
     m_source = new QLabel(this);
     m_source->setObjectName("materialSource");
     m_source->setProperty("role", "dimmed");
@@ -89,7 +98,16 @@ void MaterialPanel::showPreset()
     m_rename->setEnabled(own.has_value());
     m_delete->setEnabled(own.has_value());
     m_source->setText(preset ? QString::fromStdString(m_store.all()[*preset].source) : QString());
-    m_source->setVisible(!m_source->text().isEmpty());
+    showSource();
+}
+
+/// Literature, in English: for who asks.
+void MaterialPanel::showSource()
+{
+    const bool isKnown = !m_source->text().isEmpty();
+    m_whence->setVisible(isKnown);
+    m_whence->setArrowType(m_whence->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+    m_source->setVisible(isKnown && m_whence->isChecked());
 }
 
 void MaterialPanel::listPresets()
