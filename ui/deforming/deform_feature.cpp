@@ -141,10 +141,12 @@ std::optional<QString> DeformFeature::whyNot() const
 
 QMenu* DeformFeature::newMenu() const
 {
-    auto* menu = new QMenu(tr("Deform by numbers"), &m_bench.window);
+    auto* menu = new QMenu(tr("Deform"), &m_bench.window);
     menu->setObjectName("deformMenu");
     menu->setIcon(icon("deform"));
     menu->setToolTipsVisible(true);
+    menu->addAction(m_actions.deform);
+    menu->addSeparator();
     menu->addActions(m_actions.kinds);
     return menu;
 }

@@ -77,7 +77,6 @@ QMenu* fillMenuBar(QMainWindow& window, const MenuSources& sources)
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
     edit->addSeparator();
-    edit->addAction(f.deforming->actions().deform);
     edit->addMenu(f.deforming->newMenu());
     edit->addSeparator();
     edit->addAction(s.search);
