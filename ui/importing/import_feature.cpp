@@ -194,7 +194,8 @@ void ImportFeature::addParts(const QStringList& paths)
     for (const QString& path : paths)
         request.paths.push_back(QFile::encodeName(path).toStdString());
     request.spacing.reset(); // it was chosen for fewer
-    m_projects.keeper().letGo([this, request] { open(request); });
+    m_projects.keeper().letGo(tr("With parts added, everything is opened anew, in the shapes of the files."),
+                              [this, request] { open(request); });
 }
 
 void ImportFeature::askForChoices(std::vector<FilePreview> previews)
