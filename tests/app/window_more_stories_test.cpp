@@ -155,7 +155,6 @@ private slots:
         key(Qt::Key_0);
         key(Qt::Key_F);
         waitForView();
-        turn(GizmoPart::turnZ, "90");
         stage("knife");
         play();
         const QPoint arrow = placeOfArrow(GizmoPart::moveZ);

@@ -3,11 +3,12 @@
 #include "ui/run_window.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QWheelEvent>
 #include <QToolButton>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include <cmath>
@@ -30,7 +31,6 @@ private slots:
 
     void cleanup() { m_window.reset(); }
 
-    void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
     /// Literature is for who asks; the numbers come first.
     void whereNumbersComeFromIsToldToWhoAsks()
     {
@@ -65,6 +65,7 @@ private slots:
         QTRY_VERIFY(!snapshot().playing);
     }
 
+    void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
     {
         openExample("bracket.step");
         const std::pair<const char*, ToolKind> forms[] = {{"addBlock", ToolKind::box},

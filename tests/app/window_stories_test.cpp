@@ -387,7 +387,6 @@ private slots:
         key(Qt::Key_0);
         key(Qt::Key_F);
         waitForView();
-        turn(GizmoPart::turnZ, "90");
         stage("knife");
         const auto shown = [&] { return document().content().bodies[0]; };
         const std::size_t faces = document().content().model->parts[0].faces.size();

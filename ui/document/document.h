@@ -298,7 +298,9 @@ private:
     void retire();
     void poll();
     void accept(const FramePointer& frame, std::uint64_t generation);
+    Box boxOfBodies() const; ///< as they are shown [m]
     Vec3 placeAbove(const Vec3& toolSize) const;
+    Quaternion rotationOfNewTool(const Manipulator& tool) const;
     int numberOfNewTool(const ToolKindLook& look);
     void selectNewTool();
     void dropLostSelection();

@@ -42,10 +42,8 @@ void Document::addTool(const ToolKindLook& look)
     for (Eigen::Index axis = 0; axis < 3; ++axis)
         tool.size[axis] = typedNumber(size() * blockShare * look.proportions[axis]);
     tool.rollsFreely = look.rollsFreely;
-    const bool lies = tool.rolls() || (look.kind == ToolKind::cylinder && bladeOf(tool.shape()));
-    if (lies) // across, and goes down
-        tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
-    tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
+    tool.pose.rotation = rotationOfNewTool(tool);
+    tool.pose.position = placeAbove(tool.pose.rotation.toRotationMatrix().cwiseAbs() * tool.size);
     tool.speedLimit = typedNumber(size() / timeToCross);
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)
@@ -57,6 +55,26 @@ void Document::addTool(const ToolKindLook& look)
     tool.forceLimit = typedNumber(tool.forceLimit);
     m_toolToSelect = tool.name;
     post(AddManipulator{std::move(tool)});
+}
+
+/// Rollers and wires lie; what cuts lies across the longer side of the bodies, and cuts them in two as it goes down.
+Quaternion Document::rotationOfNewTool(const Manipulator& tool) const
+{
+    const auto quarter = [](const Vec3& axis) { return Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, axis)); };
+    const bool cuts = bladeOf(tool.shape()).has_value();
+    const bool lies = tool.rolls() || (tool.kind == ToolKind::cylinder && cuts);
+    const Quaternion lying = lies ? quarter(Vec3::UnitY()) : Quaternion::Identity();
+    const Vec3 sizes = boxOfBodies().sizes();
+    return cuts && sizes.x() > sizes.y() ? quarter(Vec3::UnitZ()) * lying : lying;
+}
+
+Box Document::boxOfBodies() const
+{
+    Box box;
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            box.extend(place);
+    return box;
 }
 
 /// Above those of the tools that are there and of those that were just added.
@@ -73,10 +91,7 @@ int Document::numberOfNewTool(const ToolKindLook& look)
 /// Just above what lies under the middle of the bodies, other tools included.
 Vec3 Document::placeAbove(const Vec3& toolSize) const
 {
-    Box box;
-    for (const auto& body : m_frame->bodies)
-        for (const Vec3& place : body->places)
-            box.extend(place);
+    const Box box = boxOfBodies();
     const Vec3 center = box.center();
     double top = std::numeric_limits<double>::lowest();
     const auto raise = [&](const Vec3& place, const Vec3& margin) {

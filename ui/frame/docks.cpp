@@ -141,6 +141,12 @@ void Docks::show(std::string_view name) const
     of(name).raise();
 }
 
+void Docks::bringForward(std::string_view name) const
+{
+    if (!of(name).isHidden())
+        of(name).raise();
+}
+
 void Docks::showAtLeast(std::string_view name, int least) const
 {
     show(name);

@@ -33,6 +33,8 @@ public:
     QDockWidget& of(std::string_view name) const;
     /// Shows it, in front of those that share its place.
     void show(std::string_view name) const;
+    /// In front of those that share its place, unless it was closed.
+    void bringForward(std::string_view name) const;
     /// @param least height that it gets when it is lower [pixels]
     void showAtLeast(std::string_view name, int least) const;
 

@@ -347,6 +347,8 @@ void MainWindow::documentChanged(Document::Change what)
         modelChanged();
     if (what == Document::Change::Selection)
         selectionChanged();
+    if (what == Document::Change::Frame && m_document.selection().kind == Selection::Kind::Tool)
+        showHint(); // it is placed, or it is driven
     m_availability.update();
 }
 
@@ -408,6 +410,8 @@ QString MainWindow::hint() const
     const bool isTool = m_document.selection().kind == Selection::Kind::Tool;
     if (isTool && !m_viewport->hasFocus() && QApplication::focusWidget() != nullptr)
         return tr("Click into the view: arrows then drive the tool   %1: orbit").arg(orbit);
+    if (isTool && !m_document.isPlaying())
+        return tr("Arrows, PgUp, PgDn: place   Space: play, and it presses   %1: orbit").arg(orbit);
     if (isTool)
         return tr("Arrows, PgUp, PgDn: drive   Shift: slower   %1: orbit").arg(orbit);
     return tr("%1: orbit   %2: pan   Wheel: zoom").arg(orbit, navigation.nameOf(NavigationMotion::pan));

@@ -99,6 +99,7 @@ void HandsFeature::connectActions(Modes& modes)
 {
     for (QAction* action : m_actions.addTool)
         connect(action, &QAction::triggered, this, [this, action] { addTool(action->data().toInt()); });
+    connect(&m_bench.document, &Document::changed, this, &HandsFeature::showNewTool);
     connect(m_actions.fixFaces, &QAction::toggled, &m_bench.viewport, &ViewportWidget::setFixing);
     connect(m_actions.remove, &QAction::triggered, &m_bench.document, &Document::removeSelected);
     modes.add(m_actions.fixFaces);
@@ -114,8 +115,24 @@ void HandsFeature::connectActions(Modes& modes)
 /// @param index in toolsToAdd()
 void HandsFeature::addTool(int index)
 {
+    if (m_bench.viewport.showsAll())
+        m_toolsBefore = m_bench.document.frame()->snapshot->tools.size();
     m_bench.document.addTool(toolsToAdd()[static_cast<std::size_t>(index)]);
-    m_bench.viewport.setFocus(); // the arrow keys shall drive it
+    m_bench.docks.bringForward("propertiesDock"); // it has the numbers of the tool
+    m_bench.viewport.setFocus();                  // the arrow keys shall drive it
+}
+
+/// Who sees the whole part sees a tool that was added to it, too.
+void HandsFeature::showNewTool(Document::Change what)
+{
+    if (what == Document::Change::Model)
+        m_toolsBefore.reset();
+    if (what != Document::Change::Frame || !m_toolsBefore ||
+        m_bench.document.frame()->snapshot->tools.size() <= *m_toolsBefore)
+        return;
+    m_toolsBefore.reset();
+    if (!m_bench.viewport.showsAll())
+        m_bench.viewport.fit();
 }
 
 bool HandsFeature::changeBrush(double factor) const

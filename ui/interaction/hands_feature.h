@@ -5,6 +5,9 @@
 #include <QList>
 #include <QObject>
 
+#include <cstddef>
+#include <optional>
+
 class QAction;
 class QMenu;
 class QWidget;
@@ -42,12 +45,14 @@ public:
 private:
     void connectActions(Modes& modes);
     void addTool(int index);
+    void showNewTool(Document::Change what);
     void askForForces();
 
     Workbench m_bench;
     Actions m_actions;
     QMenu& m_addTool;
     Hands* m_hands;
+    std::optional<std::size_t> m_toolsBefore; ///< a tool was added where all was seen
 };
 
 } // namespace knead

@@ -371,7 +371,8 @@ Box SceneView::box() const
             box.extend(place);
     for (const ToolState& tool : m_frame->snapshot->tools)
         for (const double side : {-0.5, 0.5})
-            box.extend(Vec3(tool.pose.position + side * Vec3::Constant(tool.size.norm())));
+            box.extend(
+                Vec3(tool.pose.position + side * (tool.pose.rotation.toRotationMatrix().cwiseAbs() * tool.size)));
     return box;
 }
 
