@@ -298,18 +298,23 @@ int withText(int pixels)
     return pixels * textSize / 100;
 }
 
+void applyTextSize(int textPercent)
+{
+    static const QFont systemFont = QApplication::font();
+    if (std::exchange(textSize, textPercent) == textPercent)
+        return;
+    QFont font = systemFont;
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(font.pointSizeF() * textPercent / 100);
+    else
+        font.setPixelSize(font.pixelSize() * textPercent / 100);
+    QApplication::setFont(font);
+}
+
 void applyTheme(QApplication& application, Theme theme, int textPercent)
 {
     initializeResources();
-    static const QFont systemFont = QApplication::font();
-    if (std::exchange(textSize, textPercent) != textPercent) {
-        QFont font = systemFont;
-        if (font.pointSizeF() > 0)
-            font.setPointSizeF(font.pointSizeF() * textPercent / 100);
-        else
-            font.setPixelSize(font.pixelSize() * textPercent / 100);
-        QApplication::setFont(font);
-    }
+    applyTextSize(textPercent);
     const ThemeColors colors = colorsOf(theme);
     static const bool isStyled = [] { // once: it belongs to the program
         QApplication::setStyle(new Style);

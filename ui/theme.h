@@ -14,6 +14,9 @@ enum class Theme { Light, Dark };
 /// @param textPercent size of texts, in per cent of what the system asks for
 void applyTheme(QApplication& application, Theme theme, int textPercent = 100);
 
+/// The same for the size of texts alone. Before a window is made: what was made and never shown keeps the size that it has.
+void applyTextSize(int textPercent);
+
 /// A length in pixels that has room for text: it grows as texts do.
 int withText(int pixels);
 

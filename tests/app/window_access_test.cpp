@@ -30,12 +30,15 @@ private slots:
         if (!hasDisplay())
             KNEAD_SKIP_WITHOUT("display", "The view needs a display: run this test under xvfb-run.");
         prepare();
+        m_usualHeight = QFontMetrics(QApplication::font()).height();
     }
 
     void init()
     {
         QSettings().clear();
         QSettings().setValue("language", "en");
+        if (QTest::currentTestFunction() == QByteArray("textsThatWereChosenAreThereFromTheStart"))
+            QSettings().setValue("textPercent", 150);
         show(m_services);
     }
 
@@ -44,6 +47,18 @@ private slots:
         if (m_window != nullptr)
             setTexts(100);
         m_window.reset();
+    }
+
+    /// First of all: in a program where no window was yet.
+    void textsThatWereChosenAreThereFromTheStart()
+    {
+        openExample("bar.step", 10);
+        QStringList small;
+        for (const QLabel* label : m_window->findChildren<QLabel*>())
+            if (label->isVisible() && !label->text().isEmpty() &&
+                label->fontMetrics().height() < m_usualHeight * 14 / 10)
+                small << label->text();
+        QVERIFY2(small.isEmpty(), qPrintable(small.join(", ")));
     }
 
     void whatTakesTheKeyboardHasANameARoleAndAValue()
@@ -259,6 +274,8 @@ private slots:
     }
 
 private:
+    int m_usualHeight = 0; ///< of a line of text, before there was a window [pixels]
+
     /// Something of all kinds, so that panels have what they show.
     void fillTheWindow()
     {

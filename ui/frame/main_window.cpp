@@ -53,10 +53,17 @@ namespace {
 
 constexpr int layoutVersion = 2; // of the docks; layouts of another version are not restored
 
+/// Texts are as large as a person chose them before the window is made: all that is made in it takes its font.
+QWidget* withChosenTexts(QWidget* parent)
+{
+    applyTextSize(readPreferences().textPercent);
+    return parent;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Services services, QWidget* parent)
-    : QMainWindow(parent)
+    : QMainWindow(withChosenTexts(parent))
     , m_atStart(PreferencesFeature::begin())
     , m_services(std::move(services))
     , m_availability(m_document, *this)
