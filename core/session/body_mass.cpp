@@ -38,8 +38,8 @@ struct Balance {
     Vec3 shift = Vec3::Zero(); ///< [m]
 };
 
-Balance balanceOf(const FilledBody& body, const Material& own, const Snapshot::BodyState& present,
-                  std::span<const Vec3> positions)
+/// @param positions of its objects as they are filled in the present
+Balance balanceOf(const Material& own, const Snapshot::BodyState& present, std::span<const Vec3> positions)
 {
     if (!present.relaxed || present.relaxed->materials.isUniform())
         return {own.density};
@@ -48,7 +48,7 @@ Balance balanceOf(const FilledBody& body, const Material& own, const Snapshot::B
     Vec3 byVolume = Vec3::Zero();
     Vec3 byMass = Vec3::Zero();
     for (ObjectIndex i = 0; i < positions.size(); ++i) {
-        const double v = body.aggregate->volume[i];
+        const double v = present.aggregate->volume[i];
         const double m = v * present.relaxed->materials.of(i).density;
         volume += v;
         mass += m;
@@ -58,9 +58,10 @@ Balance balanceOf(const FilledBody& body, const Material& own, const Snapshot::B
     return {mass / volume, byMass / mass - byVolume / volume};
 }
 
-std::vector<Vec3> restPositions(const FilledBody& body)
+std::vector<Vec3> restPositions(const Snapshot::BodyState& present)
 {
-    return body.aggregate ? body.aggregate->lattice.positions() : std::vector<Vec3>(); // none of a file not filled
+    return present.aggregate ? present.aggregate->lattice.positions()
+                             : std::vector<Vec3>(); // none of a file not filled
 }
 
 } // namespace
@@ -69,19 +70,21 @@ BodyMass massAtRest(const FilledModel& content, BodyId id, const Snapshot& prese
 {
     const FilledBody& body = *content.bodies[id];
     const Solid rest = solidOf(body.mesh, body.mesh.vertices);
-    const Balance balance = balanceOf(body, present.materials[id], present.bodies[id], restPositions(body));
+    const Balance balance = balanceOf(present.materials[id], present.bodies[id], restPositions(present.bodies[id]));
     const double volume = exactVolume(content, body, rest);
     return {volume, balance.density * volume, rest.centroid + balance.shift};
 }
 
 BodyMass massNow(const FilledModel& content, BodyId id, const Frame& shown, const Snapshot& present)
 {
-    const FilledBody& body = *content.bodies[id];
+    const FilledBody& body = *shown.filled[id]; // perhaps whole still, or in pieces already
     const Solid rest = solidOf(body.mesh, body.mesh.vertices);
     const Solid now = solidOf(body.mesh, shown.bodies[id]->places);
     const double volume = exactVolume(content, body, rest);
-    const Balance balance =
-        balanceOf(body, present.materials[id], present.bodies[id], shown.snapshot->bodies[id].positions);
+    const Snapshot::BodyState& state = present.bodies[id];
+    const Snapshot::BodyState& then = shown.snapshot->bodies[id];
+    const bool isFilledSame = then.aggregate == state.aggregate; // else materials are of other objects
+    const Balance balance = balanceOf(present.materials[id], state, isFilledSame ? then.positions : state.positions);
     return {rest.volume != 0 ? volume * now.volume / rest.volume : now.volume, balance.density * volume,
             now.centroid + balance.shift};
 }

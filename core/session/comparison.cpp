@@ -118,7 +118,7 @@ Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, c
     Comparison comparison{.time = shown.snapshot->time};
     for (BodyId b = 0; b < content.bodies.size(); ++b) {
         TaskPortion portion = TaskPortion::ofItem(control, b, content.bodies.size());
-        BodyComparison body = compare(*content.bodies[b], shown.bodies[b]->places, portion);
+        BodyComparison body = compare(*shown.filled[b], shown.bodies[b]->places, portion);
         body.rest = massAtRest(content, b, present);
         body.now = massNow(content, b, shown, present);
         comparison.bodies.push_back(std::move(body));

@@ -16,11 +16,12 @@ constexpr double leastLength = 5e-9; // of what the skin carries, in single prec
 
 /// A measurement with the bodies where they are, or where they were at rest.
 struct Setting {
-    const Measurement& measurement;
+    const Measurement& measurement; ///< of these bodies
     const FilledModel& content;
-    const Frame* frame; ///< null: at rest
+    const FilledBodies& bodies;
+    const Frame* frame; ///< of these bodies; null: at rest
 
-    const FilledBody& body(std::size_t pick) const { return *content.bodies[measurement.places[pick].body]; }
+    const FilledBody& body(std::size_t pick) const { return *bodies[measurement.places[pick].body]; }
     const std::vector<Vec3>& places(std::size_t pick) const
     {
         return frame == nullptr ? body(pick).mesh.vertices : frame->bodies[measurement.places[pick].body]->places;
@@ -257,6 +258,21 @@ Measured massOf(const Measurement& measurement, const FilledModel& content, cons
     return result;
 }
 
+/// The same places on the bodies that a frame shows, which are others where they have come apart before or since. None: a place is
+/// not there.
+std::optional<Measurement> onShown(Measurement measurement, const FilledModel& content, const Frame& shown)
+{
+    for (SkinPlace& place : measurement.places) {
+        if (haveSameSurface(*content.bodies[place.body], *shown.filled[place.body]))
+            continue;
+        const std::optional<SkinPlace> there = carriedOver(place, content.bodies, shown.filled);
+        if (!there)
+            return std::nullopt;
+        place = *there;
+    }
+    return measurement;
+}
+
 } // namespace
 
 Measured measured(const Measurement& measurement, const FilledModel& content, const Frame& shown,
@@ -265,9 +281,9 @@ Measured measured(const Measurement& measurement, const FilledModel& content, co
     Measured result;
     if (measurement.kind == MeasureKind::mass) {
         result = massOf(measurement, content, shown, present);
-    } else {
-        const Figure rest = figureOf({measurement, content, nullptr});
-        Figure now = figureOf({measurement, content, &shown});
+    } else if (const std::optional<Measurement> there = onShown(measurement, content, shown)) {
+        const Figure rest = figureOf({measurement, content, content.bodies, nullptr});
+        Figure now = figureOf({*there, content, shown.filled, &shown});
         result.mark = std::move(now.mark);
         result.doubt = now.doubt;
         result.deviation = now.deviation;

@@ -3,6 +3,8 @@
 #include "core/message/message.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/session/measurement.h"
+#include "support/material_scenes.h"
 #include "support/shapes.h"
 
 #include <QtTest>
@@ -75,6 +77,39 @@ private slots:
             QVERIFY(std::abs(comparison.bodies[0].farthest.x() - 0.05) < 1e-9);
             QVERIFY(std::isnan(comparison.bodies[0].largestDisplacement));
         }
+    }
+
+    /// One looks back to when a body was whole, and its surface has the sides of a cut since.
+    void whatHasComeApartSinceIsComparedAsItWas()
+    {
+        auto model = std::make_shared<Model>(modelOf({boxAt("bar", size, 0)}));
+        model->parts[0].solids = 1;
+        PreparedModel prepared =
+            prepareModel(model, {.paths = {"bar"}, .spacing = SpacingChoice{SpacingChoice::Kind::Length, 1.25e-3}},
+                         scenes::clay(), TaskControl::none());
+        Simulation& simulation = prepared.simulation;
+        simulation.post(Cut{.body = 0, .point = Vec3(0.1e-3, 0, 0), .normal = Vec3::UnitX()});
+        simulation.applyCommands();
+        const FramePointer cut = prepareFrame(prepared.content.bodies, simulation.snapshot(), nullptr);
+        FilledModel apart = prepared.content;
+        apart.bodies = cut->filled;
+        QVERIFY(apart.bodies[0]->mesh.vertices.size() > prepared.content.bodies[0]->mesh.vertices.size());
+        const double volume = size.prod();
+        for (const FilledModel& content : {prepared.content, apart})
+            for (const FramePointer& shown : {prepared.frame, cut}) {
+                const Snapshot& present = *cut->snapshot;
+                const Comparison comparison = compareWithOriginal(content, *shown, present, TaskControl::none());
+                QVERIFY(comparison.bodies.at(0).largestDistance < 1e-7);
+                QVERIFY(std::abs(comparison.bodies[0].now.volume / volume - 1) < 1e-3);
+                const TriangleMesh& mesh = content.bodies[0]->mesh;
+                std::size_t found = 0; // all but what lies in a cut that is not there yet
+                for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+                    const Measurement moved{.kind = MeasureKind::point, .places = {{0, t, Vec3::Constant(1.0 / 3)}}};
+                    found += measured(moved, content, *shown, present).readings.empty() ? 0 : 1;
+                }
+                const bool isCutSince = mesh.triangles.size() > shown->filled[0]->mesh.triangles.size();
+                QVERIFY(isCutSince ? found > mesh.triangles.size() / 2 : found == mesh.triangles.size());
+            }
     }
 };
 

@@ -52,6 +52,7 @@ public:
     const FilledModel& content() const { return *m_content; }
     const Snapshot& now() const { return *m_now; }
     const Frame& frame() const { return *m_frame; }
+    const FramePointer& framePointer() const { return m_frame; }
     const History& history() const { return m_history; }
     const MomentPointer& moment() const { return m_moment; } ///< at the end of the last gesture
     double simulated() const { return m_simulated; }         ///< in all, what was undone too [s]

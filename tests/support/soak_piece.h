@@ -5,6 +5,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/self_intersection.h"
 #include "core/session/comparison.h"
+#include "core/session/measurement.h"
 #include "io/worker/isolated_work.h"
 #include "support/soak_hand.h"
 
@@ -21,7 +22,7 @@ struct Piece {
     double duration = 10;                        ///< simulated, what is undone too [s]
     std::string folder;                          ///< for files
     bool writesCad = true;                       ///< the rest must come to the same without
-    std::size_t memory = std::size_t{6} << 20U;  ///< of the history [bytes]: little, so that moments are thinned out
+    std::size_t memory = std::size_t{12} << 20U; ///< of the history [bytes]: little, so that moments are thinned out
     std::function<void(double simulated)> watch; ///< after each gesture; may be empty
 };
 
@@ -65,6 +66,7 @@ public:
                 name = somethingElse();
             } catch (const Problem& problem) {
                 m_findings.count("told: " + problem.message().text());
+                name = std::string("told: ") + problem.what();
             } catch (const std::exception& error) {
                 m_findings.fault(name + " threw: " + error.what());
             }
@@ -88,12 +90,12 @@ private:
         const History& history = m_document.history();
         std::fprintf(stderr,
                      "%9.3f s  %-10s %6.2f s  %016llx  step %.2g s, %zu contacts, %zu broken, %zu pieces, %zu objects, "
-                     "E %.2g Pa, nu %.2f, yield %.2g, integrator %d, %d iterations, %s\n",
+                     "E %.2g Pa, nu %.2f, yield %.2g, integrator %d, %d iterations, %.2f MB, %s\n",
                      m_document.simulated(), name.c_str(), took,
                      static_cast<unsigned long long>(history.record(history.current()).hash), now.timeStep,
                      now.contacts, now.broken, now.components, now.objects, now.materials[0].youngsModulus,
                      now.materials[0].poissonRatio, now.materials[0].yieldStress, static_cast<int>(now.integrator),
-                     now.solverIterations, now.notice.english().c_str());
+                     now.solverIterations, 1e-6 * static_cast<double>(history.memory()), now.notice.english().c_str());
     }
 
     PreparedModel opened()
@@ -206,9 +208,22 @@ private:
     void compare()
     {
         m_findings.count("compare");
+        const FramePointer before = m_looked; // perhaps of another filling, or whole still
         m_document.draw();
-        const Comparison comparison =
-            compareWithOriginal(m_document.content(), m_document.frame(), m_document.now(), TaskControl::none());
+        m_looked = m_document.framePointer();
+        FilledModel content = m_document.content();
+        content.bodies = m_looked->filled; // as the window has it
+        const bool isOfThese = before && before->filled.size() == content.bodies.size() &&
+                               before->filled[0]->fillings == content.bodies[0]->fillings;
+        for (const FramePointer& shown : {m_looked, isOfThese ? before : m_looked})
+            compare(content, *shown);
+    }
+
+    /// What is shown with the original, and places on it.
+    void compare(const FilledModel& content, const Frame& shown)
+    {
+        const Comparison comparison = compareWithOriginal(content, shown, m_document.now(), TaskControl::none());
+        measure(content, shown);
         for (const BodyComparison& body : comparison.bodies) {
             if (!std::isfinite(body.largestDistance) || !std::isfinite(body.now.volume) ||
                 !std::isfinite(body.now.mass))
@@ -220,6 +235,19 @@ private:
             m_document.note(std::bit_cast<std::uint64_t>(body.largestDistance));
             m_document.note(std::bit_cast<std::uint64_t>(body.now.volume));
         }
+    }
+
+    void measure(const FilledModel& content, const Frame& shown)
+    {
+        Measurement measurement{.kind = static_cast<MeasureKind>(m_random.below(9)), .places = {}};
+        for (int pick = 0; pick < 3; ++pick) {
+            const auto body = static_cast<BodyId>(m_random.below(content.bodies.size()));
+            const auto triangle = m_random.below(content.bodies[body]->mesh.triangles.size());
+            measurement.places.push_back({body, static_cast<std::uint32_t>(triangle), Vec3::Constant(1.0 / 3)});
+        }
+        for (const Reading& reading : measured(measurement, content, shown, m_document.now()).readings)
+            if (!std::isfinite(reading.now))
+                m_findings.fault("a measurement is no number");
     }
 
     void exportTriangles()
@@ -299,6 +327,7 @@ private:
     fuzz::Random m_random;
     Document m_document;
     Hand m_hand;
+    FramePointer m_looked; ///< at the last comparison
 };
 
 /// @throws nothing but what cannot begin
