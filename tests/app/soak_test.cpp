@@ -96,13 +96,18 @@ private slots:
         const std::uint64_t first = numberFrom("KNEAD_SOAK_FIRST", 1);
         const std::uint64_t pieces = numberFrom("KNEAD_SOAK_PIECES", loadOf(2, 8));
         const auto duration = static_cast<double>(numberFrom("KNEAD_SOAK_SECONDS", loadOf(2, 30)));
-        const std::uint64_t again = loadOf(1, 4); // every so manieth piece is done twice
+        const bool isWhole = qEnvironmentVariableIsSet("KNEAD_SOAK_SECONDS"); // by ./dev soak
+        const std::uint64_t again = loadOf(1, 4);                             // every so manieth piece is done twice
         const QString folder = qEnvironmentVariable("KNEAD_SOAK_KEEP", m_folder.path());
         double simulated = 0;
         std::size_t faults = 0;
         std::vector<std::pair<double, double>> memory; // [s], [bytes]
         for (std::uint64_t seed = first; seed < first + pieces; ++seed) {
-            Piece piece{.seed = seed, .duration = duration, .folder = folder.toStdString()};
+            Piece piece{.seed = seed,
+                        .duration = duration,
+                        .mostGestures = isWhole ? std::numeric_limits<int>::max() : loadOf(25, 200),
+                        .objects = isWhole ? 300.0 : loadOf(120.0, 300.0),
+                        .folder = folder.toStdString()};
             qInfo("piece of seed %d", static_cast<int>(seed));
             QElapsedTimer timer;
             timer.start();

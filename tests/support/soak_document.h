@@ -85,7 +85,7 @@ public:
     /// Time goes on by a frame, or by as many short steps as a window has time for. @return whether it may go on
     bool step()
     {
-        constexpr int most = 12;
+        const int most = m_now->integrator == Integrator::implicitEuler ? 12 : 100;
         const double begin = m_simulation.time();
         for (int n = 0; n < most && m_simulation.time() < begin + frameTime - 1e-9 && m_simulation.health().ok; ++n)
             m_simulation.step();

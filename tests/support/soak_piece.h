@@ -19,9 +19,11 @@ namespace knead::soak {
 /// A piece of a soak: who does the same again gets the same bits.
 struct Piece {
     std::uint64_t seed = 1;
-    double duration = 10;                        ///< simulated, what is undone too [s]
-    std::string folder;                          ///< for files
-    bool writesCad = true;                       ///< the rest must come to the same without
+    double duration = 10;                               ///< simulated, what is undone too [s]
+    int mostGestures = std::numeric_limits<int>::max(); ///< or that many, whatever comes first
+    double objects = 300;                               ///< that it begins with, up to ten times as many
+    std::string folder;                                 ///< for files
+    bool writesCad = true;                              ///< the rest must come to the same without
     std::size_t memory = std::size_t{12} << 20U; ///< of the history [bytes]: little, so that moments are thinned out
     std::function<void(double simulated)> watch; ///< after each gesture; may be empty
 };
@@ -58,7 +60,7 @@ public:
             std::fprintf(stderr, "%s, %zu objects\n", m_document.content().model->file.c_str(),
                          m_document.now().objects);
         int idle = 0; // gestures without time: of a document that is stopped for good
-        while (m_document.simulated() < m_piece.duration && idle < 200) {
+        for (int n = 0; n < m_piece.mostGestures && m_document.simulated() < m_piece.duration && idle < 200; ++n) {
             const double before = m_document.simulated();
             const auto begin = std::chrono::steady_clock::now();
             std::string name = "?";
@@ -104,9 +106,9 @@ private:
         const Material material = m_random.oneOf(m_workshop.materials);
         ImportChoices choices;
         choices.paths = {model->file};
+        const std::size_t more = m_random.below(m_random.chance(15) ? 28 : 8);
         choices.spacing =
-            SpacingChoice{SpacingChoice::Kind::Objects,
-                          300.0 + 100.0 * static_cast<double>(m_random.below(m_random.chance(15) ? 28 : 10))};
+            SpacingChoice{SpacingChoice::Kind::Objects, m_piece.objects * (1 + static_cast<double>(more) / 3)};
         if (m_random.chance(30))
             choices.touching = Touching::glued;
         return prepareModel(model, choices, material, TaskControl::none());
