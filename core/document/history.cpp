@@ -99,6 +99,7 @@ History::Entry History::add(HistoryRecord record)
 {
     const auto entry = static_cast<Entry>(m_records.size());
     m_used += memoryOf(record);
+    m_ofMoments += memoryOf(record.moment);
     m_visited.push_back(entry);
     m_visited[record.parent] = entry;
     m_records.push_back(std::move(record));
@@ -180,15 +181,20 @@ Way History::wayTo(Entry entry) const
 {
     const HistoryRecord& target = m_records[entry];
     Way way{.start = target.start, .from = {}, .commands = {}, .step = target.step, .hash = target.hash, .parts = {}};
-    for (const Entry each : pathFromStart(entry)) {
-        const HistoryRecord& record = m_records[each];
-        way.commands.insert(way.commands.end(), record.commands.begin(), record.commands.end());
+    const std::vector<Entry> path = pathFromStart(entry);
+    auto first = path.begin(); // of the entries that are repeated
+    for (auto each = path.begin(); each != path.end(); ++each) {
+        const HistoryRecord& record = m_records[*each];
         const ToolParts parts = toolPartsOf({}, record.commands);
         way.parts.insert(way.parts.end(), parts.begin(), parts.end());
         if (record.moment) {
             way.from = record.moment;
-            way.commands.clear();
+            first = each + 1;
         }
+    }
+    for (; first != path.end(); ++first) {
+        const std::vector<RecordedCommand>& commands = m_records[*first].commands;
+        way.commands.insert(way.commands.end(), commands.begin(), commands.end());
     }
     return way;
 }
@@ -207,8 +213,8 @@ void History::setKey(Entry entry, bool isKey)
 void History::keep(Entry entry, std::shared_ptr<const Bytes> moment)
 {
     HistoryRecord& record = m_records[entry];
-    m_used += memoryOf(moment);
-    m_used -= memoryOf(record.moment);
+    m_used += memoryOf(moment) - memoryOf(record.moment);
+    m_ofMoments += memoryOf(moment) - memoryOf(record.moment);
     record.moment = std::move(moment);
     thin();
 }
@@ -225,11 +231,14 @@ void History::thin()
     const auto rankOf = [this](Entry entry) {
         return beginsStart(entry) ? start : m_records[entry].isKey ? key : common;
     };
+    // Hours of commands must leave room for moments, or each undo would repeat all of them.
+    const auto isTooMuch = [this] { return m_used > m_most && m_ofMoments > m_most / 2; };
     for (const Rank rank : {common, key, start})
-        for (Entry entry = 0; entry < m_records.size() && m_used > m_most; ++entry) {
+        for (Entry entry = 0; entry < m_records.size() && isTooMuch(); ++entry) {
             if (entry == m_current || rankOf(entry) != rank)
                 continue;
             m_used -= memoryOf(m_records[entry].moment);
+            m_ofMoments -= memoryOf(m_records[entry].moment);
             m_records[entry].moment = nullptr;
         }
 }

@@ -86,8 +86,8 @@ public:
     /// Puts a moment that was found again back. @pre it is that of the entry
     void keep(Entry entry, std::shared_ptr<const Bytes> moment);
 
-    /// Drops the oldest moments while they take more than this [bytes]: first common ones, then key moments, then those at
-    /// which a start begins; never that of the present entry.
+    /// Drops the oldest moments while they and commands take more than this [bytes], and moments alone more than half of it:
+    /// first common ones, then key moments, then those at which a start begins; never that of the present entry.
     void setMemory(std::size_t most);
     std::size_t memory() const { return m_used; } ///< in use [bytes]
 
@@ -99,7 +99,8 @@ private:
     std::vector<Entry> m_visited; ///< per entry: of those that follow it the one visited last; itself where none does
     Entry m_current = 0;
     std::size_t m_most = defaultMemory;
-    std::size_t m_used = 0;
+    std::size_t m_used = 0;      ///< by moments and commands
+    std::size_t m_ofMoments = 0; ///< of that
 };
 
 } // namespace knead

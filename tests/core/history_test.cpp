@@ -173,6 +173,22 @@ private slots:
         QCOMPARE(history.memory(), std::size_t{3500});
     }
 
+    /// Else each undo after hours of work would repeat all of them.
+    void commandsLeaveRoomForMoments()
+    {
+        HistoryRecord busy = named("stroke");
+        busy.commands.assign(100, {1, SetGravity{}});
+        constexpr std::size_t limit = 8000;
+        History history(named("start"), limit);
+        for (int i = 0; i < 20; ++i)
+            history.append(busy);
+        QVERIFY(history.memory() > limit);
+        const std::vector<bool> all = kept(history);
+        QCOMPARE(std::count(all.begin(), all.end(), true), std::ptrdiff_t{4});
+        QVERIFY(history.wayTo(*history.undoTarget()).commands.empty());
+        QCOMPARE(history.wayTo(3).commands.size(), std::size_t{300});
+    }
+
     void waysDoNotCrossStarts()
     {
         History history(named("start"));

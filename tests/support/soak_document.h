@@ -118,7 +118,10 @@ public:
         m_history.append(recordOf(std::move(gesture), name, zstandardPacking()));
         m_whole.push_back(hashOfCurrent());
         look();
-        if (m_history.memory() > m_memory + m_largestRecord)
+        std::size_t ofMoments = 0;
+        for (const HistoryRecord& record : m_history.records())
+            ofMoments += record.moment ? record.moment->size() : 0;
+        if (m_history.memory() > m_memory + m_largestRecord && ofMoments > m_memory / 2 + m_largestRecord)
             m_findings.fault("the history takes more memory than it may");
     }
 
