@@ -249,6 +249,11 @@ Vec3 NumberMap::place(const Vec3& point, Zone zone) const
     return d.origin + (d.from + along) * d.axis + side * d.side + across * m_across;
 }
 
+double profileOf(const NumberDeformation& deformation, double share)
+{
+    return profile(share, deformation.eases);
+}
+
 std::shared_ptr<const NumberMap> numberMap(const NumberDeformation& deformation)
 {
     return std::make_shared<const NumberMap>(deformation);

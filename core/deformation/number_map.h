@@ -22,6 +22,9 @@ public:
 
     const NumberDeformation& deformation() const { return m_deformation; }
 
+    /// Where a place goes as one of a zone does, wherever it lies.
+    Vec3 placeAs(Zone zone, const Vec3& point) const { return place(point, zone); }
+
     /// Where a place is along the axis from the origin [m].
     double along(const Vec3& place) const { return m_deformation.axis.dot(place - m_deformation.origin); }
 
@@ -37,6 +40,9 @@ private:
     double m_featureSize = 0;
     std::array<std::shared_ptr<const SmoothMap>, 3> m_zones;
 };
+
+/// How much of a deformation a cross-section has between the planes, at a share of the way: 0 at the first plane, 1 at the second one.
+double profileOf(const NumberDeformation& deformation, double share);
 
 /// @throws Problem as NumberMap
 std::shared_ptr<const NumberMap> numberMap(const NumberDeformation& deformation);

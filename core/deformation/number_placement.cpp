@@ -116,7 +116,14 @@ std::optional<Message> foldOf(const NumberDeformation& deformation, const Triang
 {
     if (deformation.kind != NumberKind::bend || deformation.angle == 0)
         return std::nullopt;
-    const double smallest = smallestRadius(deformation, heightsBetweenPlanes(deformation, mesh));
+    return foldOf(deformation, heightsBetweenPlanes(deformation, mesh));
+}
+
+std::optional<Message> foldOf(const NumberDeformation& deformation, const HeightRange& heights)
+{
+    if (deformation.kind != NumberKind::bend || deformation.angle == 0)
+        return std::nullopt;
+    const double smallest = smallestRadius(deformation, heights);
     const double radius = radiusOf(deformation);
     if (radius > smallest)
         return std::nullopt;

@@ -39,7 +39,8 @@ double smallestRadius(const NumberDeformation& deformation, const HeightRange& h
 /// @pre the angle is not 0
 double radiusOf(const NumberDeformation& deformation);
 
-/// Why a deformation would fold the material of a mesh over itself, and what to do; none where it does not.
+/// Why a deformation would fold material over itself, and what to do; none where it does not.
+std::optional<Message> foldOf(const NumberDeformation& deformation, const HeightRange& heights);
 std::optional<Message> foldOf(const NumberDeformation& deformation, const TriangleMesh& mesh);
 
 } // namespace knead

@@ -110,6 +110,17 @@ void PlaybackCache::add(const Snapshot& snapshot)
     thin();
 }
 
+void PlaybackCache::goOnWith(PlaybackCache other)
+{
+    for (PlaybackFramePointer& frame : other.m_underWay) {
+        m_used += frame->memory();
+        m_underWay.push_back(std::move(frame));
+    }
+    m_keptTime = other.m_keptTime;
+    m_fillings = std::move(other.m_fillings);
+    thin();
+}
+
 void PlaybackCache::repeat(Entry other, std::uint64_t step, std::uint32_t resets)
 {
     Reel reel{{}, firstRunOf(other)};

@@ -54,6 +54,8 @@ public:
     void see(SnapshotPointer snapshot);
     /// The same, kept in any case.
     void add(const Snapshot& snapshot);
+    /// The gesture under way was seen elsewhere: frames that another film kept of it, in which nothing was reset.
+    void goOnWith(PlaybackCache other);
     /// The entry that comes next went as another did, up to a step after so many resets.
     void repeat(Entry other, std::uint64_t step, std::uint32_t resets = 0);
     /// The gesture has become an entry: what was kept up to its end belongs to it.

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/material.h"
 #include "core/aggregate/spacing_choice.h"
+#include "core/deformation/physical_deformation.h"
 #include "core/document/recipe_deformation.h"
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
@@ -172,6 +173,10 @@ struct CutBodies {               ///< Cut
     Vec3 point = Vec3::Zero();   ///< [m]
     Vec3 normal = Vec3::UnitZ(); ///< not 0
 };
+struct DeformByPhysics { ///< grips at both ends go their way from now on, see PhysicalDeformation
+    std::string body;    ///< empty: all that deform
+    PhysicalDeformation what;
+};
 struct StartAgain {}; ///< Reset: steps and times count anew
 struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
     std::string name;
@@ -180,7 +185,7 @@ using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
                  ChangeFloor, ChangeIntegrator, ChangePace, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
                  MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
-                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene, RefillBodies, CutBodies>;
+                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene, RefillBodies, CutBodies, DeformByPhysics>;
 
 /// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {

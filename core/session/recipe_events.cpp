@@ -174,6 +174,33 @@ struct CommandMaker {
             if (!cut.body.empty() || bodies[body].kind == BodyKind::deformable)
                 made.push_back(Cut{body, cut.point, cut.normal});
     }
+    /// Of bodies as they are filled; a run finds them where they are by then.
+    void operator()(const DeformByPhysics& deform) { made = gripsOf(deform, atRest(bodies)); }
+    static Snapshot atRest(const std::vector<Body>& bodies)
+    {
+        Snapshot rest;
+        for (const Body& body : bodies) {
+            Snapshot::BodyState& state =
+                rest.bodies.emplace_back(Snapshot::BodyState{.kind = body.kind, .aggregate = body.aggregate});
+            for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
+                state.positions.push_back(body.aggregate->lattice.position(i));
+        }
+        return rest;
+    }
+    std::vector<Command> gripsOf(const DeformByPhysics& deform, const Snapshot& now) const
+    {
+        std::vector<std::string> names;
+        for (const Part& part : ready.parts())
+            names.push_back(part.name);
+        std::vector<bool> which(names.size(), false);
+        for (const BodyId body : bodiesNamed(deform.body, ready.parts(), place()))
+            which[body] = !deform.body.empty() || now.bodies[body].kind == BodyKind::deformable;
+        try {
+            return addedGrips(deform.what, heldEnds(deform.what, now, names, which));
+        } catch (const Problem& problem) {
+            throw UnusableInput(Message::verbatim("%1: %2").with(place(), problem.message()));
+        }
+    }
     void operator()(const SettleScene& settle) { made.push_back(FindBalance{settle.duration}); }
     void operator()(const StartAgain&) { made.push_back(Reset{}); }
     void operator()(const MarkMoment&) { made.push_back(KeepMoment{}); }
@@ -201,6 +228,33 @@ std::vector<Command> EventCommands::commandsOf(std::size_t event, const std::vec
     CommandMaker maker{m_recipe, m_ready, m_tools, m_fixtures, m_loads, bodies, event};
     std::visit([&](const auto& action) { maker(action); }, m_recipe.events[event].action);
     return std::move(maker.made);
+}
+
+std::vector<Command> EventCommands::gripsOf(std::size_t event, const Snapshot& now) const
+{
+    const CommandMaker maker{m_recipe, m_ready, m_tools, m_fixtures, m_loads, m_ready.scene.bodies, event};
+    return maker.gripsOf(std::get<DeformByPhysics>(m_recipe.events[event].action), now);
+}
+
+std::vector<Command> EventCommands::movesOf(const PhysicalDeformation& deformation, const EndGrips::Moves& moves) const
+{
+    std::vector<Command> commands;
+    for (const NumberEnd end : {NumberEnd::first, NumberEnd::second})
+        if (const auto& move = moves[end == NumberEnd::first ? 0 : 1])
+            if (const auto found = m_fixtures.find(nameOfGrip(deformation, end)); found != m_fixtures.end())
+                for (const FixtureId id : found->second)
+                    commands.emplace_back(MoveFixture{id, move->velocity, move->turn});
+    return commands;
+}
+
+std::vector<Command> EventCommands::releaseOf(const PhysicalDeformation& deformation) const
+{
+    std::vector<Command> commands;
+    if (const auto found = m_fixtures.find(nameOfGrip(deformation, freedEnd(deformation.numbers)));
+        found != m_fixtures.end())
+        for (const FixtureId id : found->second)
+            commands.emplace_back(RemoveFixture{id});
+    return commands;
 }
 
 void EventCommands::carriedOut(const Command& command)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/end_grips.h"
 #include "core/session/recipe.h"
 #include "core/session/recipe_scene.h"
 #include "core/simulation/command.h"
@@ -23,6 +24,14 @@ public:
     /// @param bodies of the simulation, as they are now
     /// @throws UnusableInput, in a sentence, when the event does not fit the parts
     std::vector<Command> commandsOf(std::size_t event, const std::vector<Body>& bodies) const;
+
+    /// The grips that a deformation by physics adds. @param now of the simulation
+    /// @throws UnusableInput, in a sentence, where it makes no sense
+    std::vector<Command> gripsOf(std::size_t event, const Snapshot& now) const;
+    /// What they are told, by the names of both ends.
+    std::vector<Command> movesOf(const PhysicalDeformation& deformation, const EndGrips::Moves& moves) const;
+    /// That one of them lets go.
+    std::vector<Command> releaseOf(const PhysicalDeformation& deformation) const;
 
     /// To be told of each command that was carried out: what it added has the next number.
     void carriedOut(const Command& command);

@@ -9,6 +9,8 @@ namespace knead {
 
 namespace {
 
+constexpr double frame = 1.0 / 60; // for which grips are told a way, at least [s]
+
 /// Whether the step nearest to a time [s] has been reached.
 bool isAt(const Simulation& simulation, double time)
 {
@@ -61,11 +63,46 @@ void RecipeProgress::carryOutDue(Simulation& simulation, const std::function<voi
 {
     std::size_t& next = m_mark.nextEvent;
     for (; next < m_recipe.events.size() && isDue(m_recipe.events[next], simulation); ++next) {
-        if (m_mark.isRepeated && isThere(m_recipe.events[next].action, simulation))
-            continue;
-        for (Command& command : m_events.commandsOf(next, simulation.bodies()))
-            carryOut(std::move(command), simulation, refused);
+        const bool isThereAlready = m_mark.isRepeated && isThere(m_recipe.events[next].action, simulation);
+        if (std::holds_alternative<DeformByPhysics>(m_recipe.events[next].action))
+            begin(next, simulation, isThereAlready ? nullptr : &refused);
+        else if (!isThereAlready)
+            for (Command& command : m_events.commandsOf(next, simulation.bodies()))
+                carryOut(std::move(command), simulation, refused);
     }
+    moveGrips(simulation, refused);
+}
+
+/// @param refused null: its grips are there already
+void RecipeProgress::begin(std::size_t event, Simulation& simulation, const std::function<void()>* refused)
+{
+    if (refused != nullptr)
+        for (Command& command : m_events.gripsOf(event, *simulation.snapshot()))
+            carryOut(std::move(command), simulation, *refused);
+    m_mark.onTheWay.emplace_back(
+        event, EndGrips(std::get<DeformByPhysics>(m_recipe.events[event].action).what, simulation.time()));
+}
+
+void RecipeProgress::moveGrips(Simulation& simulation, const std::function<void()>& refused)
+{
+    const bool isStatic = m_recipe.analysis == Analysis::equilibrium;
+    const double step = isStatic ? m_recipe.duration / m_recipe.loadSteps : simulation.timeStep();
+    for (auto& [event, grips] : m_mark.onTheWay) {
+        const PhysicalDeformation& what = std::get<DeformByPhysics>(m_recipe.events[event].action).what;
+        const EndGrips::Moves moves = grips.follow(simulation.time(), step, isStatic ? step : std::max(frame, step));
+        for (Command& command : m_events.movesOf(what, moves))
+            carryOut(std::move(command), simulation, refused);
+        if (grips.isOver() && what.letsGo)
+            for (Command& command : m_events.releaseOf(what))
+                carryOut(std::move(command), simulation, refused);
+    }
+    std::erase_if(m_mark.onTheWay, [](const auto& each) { return each.second.isOver(); });
+}
+
+bool RecipeProgress::isOnTheWay(const Simulation& simulation) const
+{
+    const double time = simulation.time() + 0.5 * simulation.timeStep();
+    return std::ranges::any_of(m_mark.onTheWay, [time](const auto& each) { return each.second.shareAt(time) < 1; });
 }
 
 void RecipeProgress::carryOut(Command command, Simulation& simulation, const std::function<void()>& refused)
@@ -75,9 +112,11 @@ void RecipeProgress::carryOut(Command command, Simulation& simulation, const std
     simulation.post(std::move(command));
     simulation.applyCommands();
     const std::vector<RecordedCommand>& recording = simulation.recording();
-    if (recording.size() > before && recording.back().command.index() == kind)
+    if (recording.size() > before && recording.back().command.index() == kind) {
         m_events.carriedOut(recording.back().command);
-    else if (refused)
+        if (std::holds_alternative<Reset>(recording.back().command))
+            m_mark.onTheWay.clear();
+    } else if (refused)
         refused();
 }
 
@@ -92,6 +131,10 @@ bool RecipeProgress::isThere(const RecipeAction& action, Simulation& simulation)
     if (const auto* fixture = std::get_if<AddRecipeFixture>(&action)) {
         const auto now = simulation.snapshot();
         return std::any_of(now->fixtures.begin(), now->fixtures.end(), isNamed(fixture->fixture.name));
+    }
+    if (const auto* deform = std::get_if<DeformByPhysics>(&action)) {
+        const auto now = simulation.snapshot();
+        return std::ranges::any_of(now->fixtures, isNamed(nameOfGrip(deform->what, NumberEnd::second)));
     }
     if (const auto* load = std::get_if<AddRecipeLoad>(&action)) {
         const std::vector<Reaction> now = simulation.reactions();

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -15,6 +17,7 @@ public:
     struct Mark {
         std::size_t nextEvent = 0;
         bool isRepeated = false; ///< somebody else's Reset came before: what events add may be there already
+        std::vector<std::pair<std::size_t, EndGrips>> onTheWay = {}; ///< of deformations by physics, by their events
     };
 
     /// @param recipe and ready outlive this
@@ -28,6 +31,8 @@ public:
     bool isDone(const Simulation& simulation) const;
 
     const Mark& mark() const { return m_mark; }
+    /// Grips have not yet come to the end of their way.
+    bool isOnTheWay(const Simulation& simulation) const;
 
     /// Somebody else's command was carried out. After a Reset the recipe begins again; what it had added is there still.
     void noteOther(const Command& command);
@@ -39,6 +44,8 @@ public:
 private:
     bool isDue(const RecipeEvent& event, const Simulation& simulation) const;
     bool isThere(const RecipeAction& action, Simulation& simulation) const;
+    void begin(std::size_t event, Simulation& simulation, const std::function<void()>* refused);
+    void moveGrips(Simulation& simulation, const std::function<void()>& refused);
     void carryOut(Command command, Simulation& simulation, const std::function<void()>& refused);
 
     const Recipe& m_recipe;

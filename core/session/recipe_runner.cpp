@@ -236,6 +236,9 @@ private:
     {
         if (const std::size_t left = m_recipe.events.size() - m_progress.mark().nextEvent; left > 0)
             m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
+        if (m_progress.isOnTheWay(m_simulation))
+            m_warnings.push_back("The run ended before the grips that deform by physics had gone their way; let it "
+                                 "last longer.");
     }
 
     /// A command that makes no sense changes nothing; the person gets to know why.

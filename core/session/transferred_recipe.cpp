@@ -1,5 +1,6 @@
 #include "core/session/transferred_recipe.h"
 
+#include "core/session/end_grips.h"
 #include "core/session/moved_regions.h"
 #include "core/session/moved_tools.h"
 
@@ -77,6 +78,22 @@ public:
         cut.point = place;
         cut.normal = m_turn.turn() * cut.normal;
         return m_regions.moveBody(cut.body);
+    }
+    bool operator()(DeformByPhysics& deform)
+    {
+        NumberDeformation& numbers = deform.what.numbers;
+        numbers.origin = m_ground.base.at(numbers.origin);
+        numbers.axis = m_turn.turn() * numbers.axis;
+        numbers.side = m_turn.turn() * numbers.side;
+        for (double* length : {&numbers.from, &numbers.to, &numbers.shift, &numbers.neutral})
+            *length *= m_turn.scale();
+        if (numbers.kind == NumberKind::twist && m_turn.mirrors())
+            numbers.angle = -numbers.angle;
+        const bool isThere = m_regions.moveBody(deform.body);
+        if (!isThere)
+            for (const NumberEnd end : {NumberEnd::first, NumberEnd::second})
+                m_goneFixtures.insert(nameOfGrip(deform.what, end));
+        return isThere;
     }
     bool operator()(ChangeGravity& change)
     {

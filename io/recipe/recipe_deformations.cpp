@@ -47,8 +47,8 @@ struct Direction {
 const std::vector<std::string>& keysOfNumbers()
 {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> all{"kind",  "body",  "origin_mm", "axis",      "side",     "from_mm", "to_mm",
-                                     "stays", "eases", "angle_rad", "radius_mm", "k_factor", apartKey};
+        std::vector<std::string> all{"kind",    "body",  "origin_mm", "axis",      "side",
+                                     "from_mm", "to_mm", "stays",     "angle_rad", "radius_mm"};
         for (const NumberKindWords& words : numberKindWords())
             for (const NumberParameter& parameter : words.parameters)
                 if (std::ranges::find(all, parameter.key) == all.end())
@@ -128,9 +128,13 @@ std::optional<double> readKFactor(const JsonNode& node)
     return kFactor->number(0, 1);
 }
 
-NumberDeformation readNumbers(const JsonNode& node)
+} // namespace
+
+NumberDeformation readNumbers(const JsonNode& node, const std::vector<std::string>& others)
 {
-    node.allowOnly(keysOfNumbers());
+    std::vector<std::string> allowed = keysOfNumbers();
+    allowed.insert(allowed.end(), others.begin(), others.end());
+    node.allowOnly(allowed);
     const std::string word = node.at("kind").text();
     const auto kind = numberKindOf(word);
     if (!kind)
@@ -193,6 +197,8 @@ void putNumbers(ObjectText& text, const NumberDeformation& deformation, const st
     if (deformation.eases)
         text.put("eases", "true");
 }
+
+namespace {
 
 /// ["x", "z"]
 struct LockedAxes {
@@ -320,7 +326,8 @@ RecipeDeformation DeformationWords::read(const JsonNode& node) const
         const auto item = Object<FieldItem>{context}.read(node);
         return {.bodies = item.bodies, .what = static_cast<const RecipeField&>(item), .isApart = item.isApart};
     }
-    RecipeDeformation deformation{.bodies = {}, .what = readNumbers(node), .kFactor = readKFactor(node)};
+    RecipeDeformation deformation{
+        .bodies = {}, .what = readNumbers(node, {"eases", "k_factor", apartKey}), .kFactor = readKFactor(node)};
     if (const auto bodies = node.find("body"))
         deformation.bodies = BodyNames::read(*bodies);
     if (const auto isApart = node.find(apartKey))

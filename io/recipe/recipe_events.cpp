@@ -3,6 +3,7 @@
 #include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
 #include "io/recipe/recipe_objects.h"
+#include "io/recipe/recipe_physics.h"
 #include "io/recipe/recipe_tools.h"
 
 namespace knead::recipe_keys {
@@ -135,6 +136,7 @@ void forEachAction(const Context& context, const Visit& visit)
     visit("find_balance_s", Only{&SettleScene::duration, Number{shortestBalance, longestBalance}});
     visit("refill", Object<RefillBodies>{context});
     visit("cut", Object<CutBodies>{context});
+    visit("deform_by_physics", PhysicsWords{});
     visit("reset", ResetWord{});
     visit("keep_moment", Only{&MarkMoment::name, AnyText{}});
 }

@@ -1,6 +1,7 @@
 #include "io/recipe/recipe_reader.h"
 
 #include "core/message/message.h"
+#include "core/session/end_grips.h"
 #include "core/simulation/scene_limits.h"
 #include "io/json/json_value.h"
 #include "io/recipe/recipe_deformations.h"
@@ -163,6 +164,9 @@ public:
             require(node.at("move_fixture").at("name"), m_fixtures, move->fixture);
         if (const auto* add = std::get_if<AddRecipeFixture>(&action))
             take(node.at("add_fixture").at("name"), m_fixtures, add->fixture.name);
+        if (const auto* deform = std::get_if<DeformByPhysics>(&action))
+            for (const NumberEnd end : {NumberEnd::first, NumberEnd::second})
+                take(node.at("deform_by_physics"), m_fixtures, nameOfGrip(deform->what, end));
         if (const auto* add = std::get_if<AddRecipeLoad>(&action))
             take(node.at("add_load").at("name"), m_loads, add->load.name);
         if (const auto* change = std::get_if<ChangeRecipeLoad>(&action))

@@ -100,6 +100,7 @@ const std::vector<std::pair<std::string, std::string>>& objects()
         {"/$defs/changeOfKind", "/events/5/body_kind"},
         {"/$defs/refill", "/events/7/refill"},
         {"/$defs/cut", "/events/8/cut"},
+        {"/$defs/deformByPhysics", "/events/9/deform_by_physics"},
         {"/$defs/exportedFile", "/exports/0"},
         {"/$defs/picture", "/exports/1"},
     };

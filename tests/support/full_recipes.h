@@ -88,7 +88,10 @@ inline std::vector<json> fullRecipes()
                    {"time_s": 0, "renormalize": {"body": "lid", "box_mm": [0, 0, 0, 1, 1, 1], "duration_s": 1}},
                    {"time_s": 0, "body_kind": {"body": "lid", "kind": "glue"}},
                    {"time_s": 0, "find_balance_s": 0.1}, {"time_s": 0, "refill": {"body": "lid", "spacing_mm": 2}},
-                   {"time_s": 0, "cut": {"body": "lid", "point_mm": [1, 2, 3], "normal": [0, 0, 1]}}],
+                   {"time_s": 0, "cut": {"body": "lid", "point_mm": [1, 2, 3], "normal": [0, 0, 1]}},
+                   {"time_s": 0, "deform_by_physics": {"name": "hand", "kind": "bend", "body": "lid", "origin_mm": [0, 0, 5],
+                    "axis": [1, 0, 0], "side": [0, 0, 1], "from_mm": 10, "to_mm": 40, "stays": 0.5, "angle_deg": 30,
+                    "neutral_mm": 1, "duration_s": 0.5, "let_go": true}}],
         "exports": [{"file": "a.step", "unit": "mm", "tolerance_mm": 0.1, "ap214": true, "report": false},
                     {"file": "b.PNG", "width": 20, "height": 20, "view": "front", "show_tools": false},
                     {"file": "c/d.png", "view": [0, 1, 0]}]})");

@@ -299,6 +299,10 @@ void DeformFeature::apply()
     if (m_isByField)
         return m_byField->apply();
     const NumberForm form = m_panel->numbers().form();
+    if (form.isByPhysics) {
+        m_stage->applyByPhysics(physicalDeformationOf(form, m_subject), verbOf(form.kind), nameOf(form));
+        return;
+    }
     const NumberDeformation deformation = deformationOf(form, m_subject);
     m_stage->apply(std::make_shared<const std::vector<Deformation>>(std::vector<Deformation>{deformation}),
                    {RecipeDeformation{.bodies = {}, .what = deformation}}, verbOf(form.kind), nameOf(form));

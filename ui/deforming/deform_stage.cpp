@@ -189,6 +189,15 @@ void DeformStage::apply(std::shared_ptr<const std::vector<Deformation>> deformat
     });
 }
 
+void DeformStage::applyByPhysics(const PhysicalDeformation& deformation, const QString& title, const Message& name)
+{
+    if (!m_look || m_bench.isBusy())
+        return;
+    m_bench.notices.hide();
+    m_bench.document.deformByPhysics(deformation, m_look->meant.bodies, title, name);
+    m_applying = title;
+}
+
 void DeformStage::startApplying(const DeformationRequest& request, const QString& title, const Message& name)
 {
     const auto work = [before = m_bench.document.content(), shown = m_bench.document.frame(),

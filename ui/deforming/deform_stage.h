@@ -56,6 +56,9 @@ public:
     void apply(std::shared_ptr<const std::vector<Deformation>> deformations, std::vector<RecipeDeformation> said,
                const QString& title, const Message& name);
 
+    /// Lets grips do it to the bodies that are looked at, see Document::deformByPhysics(); what is looked at stays until then.
+    void applyByPhysics(const PhysicalDeformation& deformation, const QString& title, const Message& name);
+
 signals:
     void seen(const knead::DeformedFrame& frame); ///< the view shows it
     void failed(const QString& sentence);         ///< it is no deformation

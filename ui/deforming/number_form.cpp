@@ -1,5 +1,6 @@
 #include "ui/deforming/number_form.h"
 
+#include "core/deformation/end_motion.h"
 #include "core/deformation/number_map.h"
 #include "ui/language/said.h"
 #include "ui/units.h"
@@ -88,7 +89,7 @@ NumberDeformation bareDeformation(const NumberForm& form, const NumberSubject& s
     deformation.factor = form.factor;
     deformation.shift = form.shift;
     deformation.stays = form.stays;
-    deformation.eases = form.eases;
+    deformation.eases = form.eases && !form.isByPhysics;
     return deformation;
 }
 
@@ -99,6 +100,14 @@ NumberDeformation deformationOf(const NumberForm& form, const NumberSubject& sub
     NumberDeformation deformation = bareDeformation(form, subject);
     deformation.neutral = neutralOfSheet(deformation, subject.heights, form.neutral);
     return deformation;
+}
+
+PhysicalDeformation physicalDeformationOf(const NumberForm& form, const NumberSubject& subject)
+{
+    return {.numbers = deformationOf(form, subject),
+            .duration = form.duration,
+            .letsGo = form.letsGo,
+            .name = Deforming::tr("Grip").toStdString()};
 }
 
 void takeHeights(NumberSubject& subject, const NumberForm& form, const TriangleMesh& surface)
@@ -138,6 +147,9 @@ std::optional<Message> whyNot(const NumberForm& form, const NumberSubject& subje
         return Message("Deforming", "The second plane must lie behind the first one, along the axis.");
     if (form.along == NumberForm::Along::face && !subject.faceNormal)
         return Message("Deforming", "Select a flat face first, whose normal is to be the axis.");
+    if (form.isByPhysics && !hasRigidEnds(form.kind))
+        return Message("Deforming", "Physics bends, twists, stretches and shears, which grips at the ends can do. This "
+                                    "changes the ends themselves: do it exactly.");
     const NumberDeformation deformation = deformationOf(form, subject);
     try {
         numberMap(deformation);
@@ -157,7 +169,9 @@ std::optional<Message> whyNot(const NumberForm& form, const NumberSubject& subje
               formatReading(deformation.length() / leastOfLine, Quantity::Angle).toStdString());
 }
 
-Message nameOf(const NumberForm& form)
+namespace {
+
+Message exactNameOf(const NumberForm& form)
 {
     const auto said = [](double value, Quantity quantity) { return formatQuantity(value, quantity).toStdString(); };
     switch (form.kind) {
@@ -175,6 +189,14 @@ Message nameOf(const NumberForm& form)
         break;
     }
     return Message("Deforming", "Scaled to %1").with(numberMessage(form.factor));
+}
+
+} // namespace
+
+Message nameOf(const NumberForm& form)
+{
+    const Message exact = exactNameOf(form);
+    return form.isByPhysics ? Message("Deforming", "%1 by physics").with(exact) : exact;
 }
 
 QString verbOf(NumberKind kind)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/deformation/number_placement.h"
+#include "core/deformation/physical_deformation.h"
 #include "core/geometry/vec3.h"
 #include "core/message/message.h"
 
@@ -28,6 +29,9 @@ struct NumberForm {
     double neutral = 0.5; ///< bend: where the length stays between the planes, 0 at the inner side, 1 at the outer one
     double stays = 0;     ///< 0 the first plane, 1 the second one
     bool eases = false;
+    bool isByPhysics = false; ///< grips do it, and what lies between the planes finds its own shape
+    double duration = 1;      ///< by physics: of the way of the grips [s]
+    bool letsGo = false;      ///< by physics: one opens at the end
 };
 
 /// What the form is filled in for.
@@ -53,6 +57,9 @@ NumberForm newForm(NumberKind kind, const NumberSubject& subject);
 void takeReach(NumberForm& form, const NumberSubject& subject);
 
 NumberDeformation deformationOf(const NumberForm& form, const NumberSubject& subject);
+
+/// The same as grips do it. @pre isByPhysics
+PhysicalDeformation physicalDeformationOf(const NumberForm& form, const NumberSubject& subject);
 
 /// After the form has other planes or directions. @param surface of the parts, as they are now
 void takeHeights(NumberSubject& subject, const NumberForm& form, const TriangleMesh& surface);

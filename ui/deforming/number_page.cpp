@@ -42,6 +42,8 @@ NumberPage::NumberPage(QWidget* parent)
     , m_side(makeChoice("deformSide", this))
     , m_stays(makeChoice("deformStays", this))
     , m_eases(new QCheckBox(tr("Begins and ends gently"), this))
+    , m_how(makeChoice("deformHow", this))
+    , m_letsGo(new QCheckBox(tr("Let go at the end"), this))
 {
     setObjectName("numberPage");
     QFormLayout* form = makeForm(this);
@@ -106,6 +108,16 @@ void NumberPage::addRows(QFormLayout* form)
     m_eases->setObjectName("deformEases");
     m_eases->setToolTip(tr("Without a crease at the planes; in the middle there is then more of it"));
     form->addRow(m_eases);
+    m_how->addItems({tr("Exactly"), tr("By physics")});
+    m_how->setToolTip(tr("Exactly: all goes as the formula says. By physics: what lies beyond the planes is held by "
+                         "grips that go as the formula says, and the material between them finds its own shape"));
+    form->addRow(tr("How"), m_how);
+    m_duration = addField(form, tr("Time it takes"), "deformDuration", Quantity::Time,
+                          tr("Of the way of the grips; material that flows resists less when it is slow"));
+    m_letsGo->setObjectName("deformLetsGo");
+    m_letsGo->setToolTip(tr("The grip that has moved most opens, so that elastic material springs back"));
+    form->addRow(m_letsGo);
+    m_duration->setRange(0.01, 3600);
     m_angle->setRange(-mostTurns * std::numbers::pi, mostTurns * std::numbers::pi);
     m_radius->setRange(1e-6, 1e6);
     m_neutral->setRange(-10, 10);
@@ -140,12 +152,16 @@ void NumberPage::connectFields()
         change([index](NumberForm& f) { f.stays = staysOf[static_cast<std::size_t>(index)]; });
     });
     connect(m_eases, &QCheckBox::clicked, this, [this](bool on) { change([on](NumberForm& f) { f.eases = on; }); });
+    connect(m_how, &QComboBox::activated, this,
+            [this](int index) { change([index](NumberForm& f) { f.isByPhysics = index == 1; }); });
+    connect(m_letsGo, &QCheckBox::clicked, this, [this](bool on) { change([on](NumberForm& f) { f.letsGo = on; }); });
     for (const auto& [field, value] : {std::pair(m_from, &NumberForm::from),
                                        {m_to, &NumberForm::to},
                                        {m_angle, &NumberForm::angle},
                                        {m_neutral, &NumberForm::neutral},
                                        {m_factor, &NumberForm::factor},
-                                       {m_shift, &NumberForm::shift}})
+                                       {m_shift, &NumberForm::shift},
+                                       {m_duration, &NumberForm::duration}})
         connect(field, &QuantityField::committed, this,
                 [this, value](double typed) { change([=](NumberForm& f) { f.*value = typed; }); });
     connect(m_radius, &QuantityField::committed, this, [this](double radius) {
@@ -207,6 +223,9 @@ void NumberPage::showRows()
     setRowVisible(m_shift, kind == NumberKind::shear);
     for (QuantityField* field : {m_radius, m_neutral, m_neutralPlace})
         setRowVisible(field, bends);
+    m_eases->setVisible(!m_form.isByPhysics);
+    setRowVisible(m_duration, m_form.isByPhysics);
+    m_letsGo->setVisible(m_form.isByPhysics);
 }
 
 void NumberPage::showValues()
@@ -232,6 +251,9 @@ void NumberPage::showValues()
     const auto* const stays = std::ranges::find(staysOf, m_form.stays);
     m_stays->setCurrentIndex(static_cast<int>(stays - staysOf.begin()));
     m_eases->setChecked(m_form.eases);
+    m_how->setCurrentIndex(m_form.isByPhysics ? 1 : 0);
+    m_duration->setValue(m_form.duration);
+    m_letsGo->setChecked(m_form.letsGo);
 }
 
 void NumberPage::changeEvent(QEvent* event)

@@ -64,6 +64,9 @@ private:
     QuantityField* m_shift = nullptr;
     QComboBox* m_stays;
     QCheckBox* m_eases;
+    QComboBox* m_how;
+    QuantityField* m_duration = nullptr;
+    QCheckBox* m_letsGo;
 };
 
 } // namespace knead

@@ -4,6 +4,7 @@
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
 #include "core/session/part_appearance.h"
+#include "core/session/physical_deforming.h"
 #include "core/session/playback_cache.h"
 #include "core/session/prepared_project.h"
 #include "core/session/timeline.h"
@@ -157,6 +158,11 @@ public:
     /// @param entry that the step leads to, not one that begins a start
     /// @param run in which the step is reached: after so many resets within the entry
     void branchAt(Entry entry, std::uint64_t step, std::uint32_t run = 0);
+    /// Lets grips deform bodies in the background, with progress and to be cancelled: one entry of the history with what was seen
+    /// meanwhile, after which they hold on, or one has let go. Says in a sentence why not; nothing has changed then.
+    /// @param which per body; empty: all @param title of the task @param name of the entry
+    void deformByPhysics(const PhysicalDeformation& deformation, const std::vector<bool>& which, const QString& title,
+                         const Message& name);
 
     /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the navigation
     /// is given up.
@@ -344,6 +350,9 @@ private:
     bool canBranchAt(Entry entry) const;
     void setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run);
     void arriveAtBranch(Entry from, Branch branch);
+    void setOutToDeform(const PhysicalDeformation& deformation, const std::vector<bool>& which, const QString& title,
+                        const Message& name);
+    void arriveDeformed(DeformedByPhysics done, const Message& name);
     void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);
     void giveUp(const QString& sentence);
