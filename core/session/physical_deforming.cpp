@@ -1,5 +1,6 @@
 #include "core/session/physical_deforming.h"
 
+#include "core/deformation/number_words.h"
 #include "core/message/message.h"
 
 #include <algorithm>
@@ -27,6 +28,21 @@ bool isStill(const Snapshot& before, const Snapshot& now)
                 return false;
     }
     return true;
+}
+
+/// With a name that no fixture has: "bend", "bend 2".
+PhysicalDeformation named(PhysicalDeformation deformation, const Snapshot& now)
+{
+    const std::string stem =
+        deformation.name.empty() ? std::string(wordsOf(deformation.numbers.kind).word) : deformation.name;
+    const auto isTaken = [&](NumberEnd end) {
+        return std::ranges::any_of(
+            now.fixtures, [&](const Fixture& fixture) { return fixture.name == nameOfGrip(deformation, end); });
+    };
+    deformation.name = stem;
+    for (int number = 2; isTaken(NumberEnd::first) || isTaken(NumberEnd::second); ++number)
+        deformation.name = stem + " " + std::to_string(number);
+    return deformation;
 }
 
 /// A simulation whose grips go their way.
@@ -128,8 +144,9 @@ DeformedByPhysics deformByPhysics(Simulation simulation, const PhysicalDeformati
                                   std::size_t filmMemory, TaskControl& control)
 {
     simulation.applyCommands();
-    const std::vector<HeldEnds> held = heldEnds(deformation, *simulation.snapshot(), names, which);
-    Deforming run(std::move(simulation), deformation, filmMemory);
+    const SnapshotPointer now = simulation.snapshot();
+    const std::vector<HeldEnds> held = heldEnds(deformation, *now, names, which);
+    Deforming run(std::move(simulation), named(deformation, *now), filmMemory);
     run.hold(held);
     run.goTheWay(control);
     run.letGo();

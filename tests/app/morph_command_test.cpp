@@ -219,6 +219,21 @@ private slots:
         QVERIFY(std::abs(after.at("bbox_mm").at(3).get<double>() - 120) < 0.05);
     }
 
+    /// Pulled to 1.4 times its middle it gets thinner there, and keeps its volume; ends are where the exact way takes them.
+    void physicsFindsTheShapeBetweenGrips()
+    {
+        const Outcome outcome =
+            morph(cantilever, {"--stretch", "1.4", "--from", "40", "--to", "80", "--physics", "--material",
+                               "modeling-clay", "--objects", "800", "--time", "0.3", "--json"});
+        QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+        const json said = json::parse(outcome.out);
+        QCOMPARE(said.at("fixtures").size(), std::size_t{2});
+        const json after = partOf(m_shop.path("out.step"));
+        QVERIFY(after.at("watertight").get<bool>() && after.at("valid").get<bool>());
+        QVERIFY(std::abs(after.at("bbox_mm").at(3).get<double>() - 136) < 0.05);
+        QVERIFY(std::abs(after.at("volume_mm3").get<double>() / volumeOf(cantilever.toStdString()) - 1) < 0.02);
+    }
+
     void whatDoesNotFitIsOneSentenceAndNothingIsWritten_data()
     {
         QTest::addColumn<QStringList>("how");
@@ -244,6 +259,11 @@ private slots:
         row("no such part", {"--bend", "9", "--part", "Lid"}, "no part or assembly \"Lid\"");
         row("no room", {"--bend", "9", "--from", "5", "--to", "5"}, "lane");
         row("twice", {"--bend", "9", "--to", "5", "--radius", "5"}, "radius");
+        row("physics of nothing", {"--bend", "9", "--let-go"}, "give --physics too");
+        row("no material", {"--bend", "9", "--physics"}, "give --material, one of");
+        row("another material", {"--bend", "9", "--physics", "--material", "cheese"}, "no material \"cheese\"");
+        row("taper", {"--taper", "2", "--physics", "--material", "steel"}, "exactly only");
+        row("two at once", {"--bend", "9", "--twist", "9", "--physics", "--material", "steel"}, "one bend");
     }
 
     void whatDoesNotFitIsOneSentenceAndNothingIsWritten()

@@ -162,6 +162,13 @@ class WindowDeformTest : public QObject, ProjectsOnTest {
 
     double value(const char* name) { return find<QuantityField>(name)->value(); }
 
+    void choosePhysics()
+    {
+        auto* how = find<QComboBox>("deformHow");
+        how->setCurrentIndex(1);
+        emit how->activated(1);
+    }
+
 private slots:
     void initTestCase()
     {
@@ -534,6 +541,55 @@ private slots:
         openProject(file("deformed.knead"));
         QVERIFY(m_services.recipes.write(path, document().project(), {}).empty());
         QCOMPARE(QString::fromUtf8(read(file("deformed.recipe.json"))), text);
+    }
+
+    /// Grips lead both ends while the middle finds its shape: one entry, with what was seen, which is undone and can be repeated. What
+    /// is given up on the way has changed nothing.
+    void aBarIsBentByPhysics()
+    {
+        openBar();
+        const Box before = document().content().box;
+        begin("deformBend");
+        type("deformAngle", "30");
+        choosePhysics();
+        QVERIFY(find<QCheckBox>("deformLetsGo")->isVisible() && !find<QCheckBox>("deformEases")->isVisible());
+        type("deformDuration", "0.2 s");
+        previewed();
+        picture("deform-by-physics");
+        const std::size_t entries = tree().records().size();
+        m_window->viewport().setFocus();
+        QTest::keyClick(&m_window->viewport(), Qt::Key_Return);
+        key(Qt::Key_Escape);
+        wait();
+        QCOMPARE(tree().records().size(), entries);
+        QVERIFY(!action("deform")->isChecked() && document().frame()->snapshot->fixtures.empty());
+
+        begin("deformBend");
+        type("deformAngle", "30");
+        choosePhysics();
+        type("deformDuration", "0.2 s");
+        previewed();
+        apply();
+        QCOMPARE(tree().records().size(), entries + 1);
+        QCOMPARE(presentName(), QString("Bent by 30\u00B0 by physics"));
+        QVERIFY(document().film().framesOf(tree().current()).size() > 3);
+        wait();
+        const Snapshot& now = *document().frame()->snapshot;
+        QCOMPARE(now.fixtures.size(), std::size_t{2});
+        QCOMPARE(QString::fromStdString(now.fixtures[1].name), QString("bend: second end"));
+        QVERIFY(seenBox().max().z() > before.max().z() + 0.02);
+        picture("deformed-by-physics");
+        key(Qt::Key_Z, Qt::ControlModifier);
+        wait();
+        QVERIFY(document().frame()->snapshot->fixtures.empty());
+        QVERIFY((seenBox().max() - before.max()).norm() < 1e-6);
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        wait();
+        QCOMPARE(document().frame()->snapshot->fixtures.size(), std::size_t{2});
+
+        begin("deformTaper");
+        choosePhysics();
+        QVERIFY(find<QLabel>("deformProblem")->text().contains("do it exactly"));
     }
 
     /// What is on the skin goes along, what is hidden stays hidden, and undo brings back what was there before.

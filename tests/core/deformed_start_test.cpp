@@ -1,11 +1,17 @@
+#include "support/thread_limit.h" // TBB: before Qt
+
 #include "core/session/deformed_start.h"
 
+#include "core/deformation/number_map.h"
 #include "core/geometry/mass_properties.h"
 #include "core/message/message.h"
 #include "core/session/deformed_faces.h"
 #include "core/session/deformed_frame.h"
 #include "core/session/face_fixtures.h"
-#include "support/shapes.h"
+#include "core/session/physical_deforming.h"
+#include "core/simulation/moment.h"
+#include "core/simulation/replay.h"
+#include "support/material_scenes.h"
 
 #include <QtTest>
 
@@ -83,6 +89,97 @@ Box boxOf(const std::vector<Vec3>& places)
     for (const Vec3& place : places)
         box.extend(place);
     return box;
+}
+
+// ---- By physics ----
+
+constexpr double spacing = 2e-3;               // [m]
+const Eigen::Vector3i slender(56, 4, 4);       // cells
+const double side = spacing * slender.y();     // of the section [m]
+const double half = spacing * slender.x() / 2; // of the bar [m]
+constexpr double modulus = 1e6;                // [Pa]
+
+Material rubber(double poisson = 0.3)
+{
+    return {.density = 1100, .youngsModulus = modulus, .poissonRatio = poisson, .dampingRatio = 0.05};
+}
+
+Scene sceneOf(const Eigen::Vector3i& cells, const Material& material)
+{
+    Scene scene;
+    scene.bodies.push_back(scenes::box(cells, spacing, material));
+    scene.integrator = Integrator::automatic;
+    return scene;
+}
+
+/// Along x, toward z, with planes so far from the middle.
+PhysicalDeformation byPhysics(NumberKind kind, double plane)
+{
+    return {.numbers = {.kind = kind,
+                        .from = -plane,
+                        .to = plane,
+                        .angle = std::numbers::pi / 6,
+                        .factor = 1.05,
+                        .shift = plane / 4}};
+}
+
+/// Led by grips through states of balance. @return the state at the end
+std::shared_ptr<Snapshot> balanced(const Scene& scene, const PhysicalDeformation& deformation)
+{
+    constexpr int loadSteps = 4;
+    const double step = deformation.duration / loadSteps;
+    Simulation simulation(scene);
+    for (Command& command : addedGrips(deformation, heldEnds(deformation, *simulation.snapshot(), {"bar"})))
+        simulation.post(std::move(command));
+    EndGrips grips(deformation, 0);
+    for (int i = 0; i <= loadSteps; ++i) {
+        const EndGrips::Moves moves = grips.follow(simulation.time(), step, step);
+        for (FixtureId end = 0; end < 2; ++end)
+            if (moves[end])
+                simulation.post(MoveFixture{end, moves[end]->velocity, moves[end]->turn});
+        if (i < loadSteps && !simulation.findBalance(step).converged)
+            throw std::runtime_error("no balance");
+    }
+    return grips.isOver() ? simulation.snapshot() : nullptr;
+}
+
+/// The middle of all objects that began at an x.
+Vec3 middleAt(double x, const Aggregate& aggregate, const std::vector<Vec3>& places)
+{
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+        if (std::abs(aggregate.lattice.position(i).x() - x) < spacing / 4) {
+            sum += places[i];
+            ++count;
+        }
+    return sum / count;
+}
+
+DeformedByPhysics run(const Scene& scene, const PhysicalDeformation& deformation)
+{
+    return deformByPhysics(Simulation(scene), deformation, {"bar"}, {}, std::size_t{1} << 28U, TaskControl::none());
+}
+
+std::vector<Vec3> placesIn(const Moment& moment)
+{
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < moment.bodies[0].position.size(); ++i)
+        places.push_back(moment.bodies[0].position.at(i));
+    return places;
+}
+
+/// Of what grips hold from where the formula takes it [m].
+double farthestOfHeld(const Scene& scene, const PhysicalDeformation& deformation,
+                      const std::vector<std::optional<Fixture>>& grips, const std::vector<Vec3>& places)
+{
+    const NumberMap map(deformation.numbers);
+    double farthest = 0;
+    for (const auto& grip : grips)
+        for (const ObjectIndex object : grip ? grip->objects : std::vector<ObjectIndex>())
+            farthest = std::max(farthest,
+                                (map.at(scene.bodies[0].aggregate->lattice.position(object)) - places[object]).norm());
+    return farthest;
 }
 
 } // namespace
@@ -182,6 +279,176 @@ private slots:
             bend.angle = length / (share * thickness / 2);
             const DeformedFrame seen = deformedFrame(m_before.frame, *mapOf(Deformation(bend)), {});
             QCOMPARE(seen.fold.has_value(), share < 1);
+        }
+    }
+
+    /// The rigid motion is that of the map with a share of the whole.
+    void rigidEndsGoAsTheFormulaSays()
+    {
+        for (const NumberKind kind : {NumberKind::bend, NumberKind::twist, NumberKind::stretch, NumberKind::shear})
+            for (const double stays : {0.0, 0.3, 1.0}) {
+                NumberDeformation whole = byPhysics(kind, half).numbers;
+                whole.origin = Vec3(0.01, 0.02, 0.03);
+                whole.neutral = kind == NumberKind::bend ? 1e-3 : 0;
+                whole.stays = stays;
+                NumberDeformation part = whole;
+                part.angle *= 0.4;
+                part.factor = 1 + 0.4 * (whole.factor - 1);
+                part.shift *= 0.4;
+                const NumberMap map(part);
+                for (const bool isFirst : {true, false}) {
+                    const NumberEnd end = isFirst ? NumberEnd::first : NumberEnd::second;
+                    const EndPlace rest = endPlace(whole, end, 0);
+                    const EndPlace now = endPlace(whole, end, 0.4);
+                    const Vec3 arm(isFirst ? -2e-3 : 3e-3, 4e-3, -5e-3);
+                    const Vec3 gone = now.place + Eigen::AngleAxisd(now.angle, turnAxis(whole)) * arm;
+                    QVERIFY((map.at(rest.place + arm) - gone).norm() < 1e-15);
+                }
+            }
+    }
+
+    /// M = E I kappa: a long bar between grips is an arc of a circle, but near these, which keep sections as they are.
+    void aBarBetweenGripsHasOneCurvature()
+    {
+        const Scene scene = sceneOf(slender, rubber());
+        const PhysicalDeformation bend = byPhysics(NumberKind::bend, half - 1.5 * side);
+        const auto now = balanced(scene, bend);
+        QVERIFY(now != nullptr);
+        const std::vector<Vec3>& places = now->bodies[0].positions;
+        QVERIFY(farthestOfHeld(scene, bend, {now->fixtures[0], now->fixtures[1]}, places) < 1e-15);
+        const double curvature = bend.numbers.angle / bend.numbers.length();
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        for (int cell = -10; cell <= 10; cell += 2) {
+            const Vec3 before = middleAt((cell - 2) * spacing, aggregate, places);
+            const Vec3 at = middleAt(cell * spacing, aggregate, places);
+            const Vec3 after = middleAt((cell + 2) * spacing, aggregate, places);
+            const Vec3 turned = (at - before).cross(at - after);
+            const double measured =
+                2 * turned.norm() / (at - before).norm() / (after - at).norm() / (after - before).norm();
+            QVERIFY2(std::abs(measured / curvature - 1) < 0.01, qPrintable(QString::number(measured / curvature)));
+        }
+        // The moment of both grips about the middle of the bar as it is.
+        const Vec3 middle = middleAt(0, aggregate, places);
+        const double expected = modulus * std::pow(side, 4) / 12 * curvature;
+        for (const std::size_t end : {0, 1}) {
+            const Vec3 moment =
+                now->fixtureMoments[end] + (now->fixtureCenters[end] - middle).cross(now->fixtureForces[end]);
+            QVERIFY2(std::abs(moment.norm() / expected - 1) < 0.03,
+                     qPrintable(QString::number(moment.norm() / expected)));
+        }
+    }
+
+    /// By nu times as much, where the grips are far away.
+    void aStretchedBarGetsThinner()
+    {
+        const double poisson = 0.3;
+        const Scene scene = sceneOf({24, 6, 6}, rubber(poisson));
+        const auto now = balanced(scene, byPhysics(NumberKind::stretch, 11 * spacing));
+        QVERIFY(now != nullptr);
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        const std::vector<Vec3>& places = now->bodies[0].positions;
+        const auto x = [&](int cell) { return middleAt(cell * spacing, aggregate, places).x(); };
+        const double strain = (x(4) - x(-4)) / (8 * spacing) - 1;
+        double width = 0;
+        int count = 0;
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+            const Vec3 rest = aggregate.lattice.position(i);
+            if (std::abs(rest.x()) < spacing / 4 && std::abs(rest.y()) > 2.75 * spacing) {
+                width += std::abs(places[i].y());
+                ++count;
+            }
+        }
+        const double thinner = 1 - 2 * width / count / (6 * spacing);
+        QVERIFY(std::abs(strain / 0.05 - 1) < 0.04); // grips keep the sections at the ends from getting thinner
+        QVERIFY2(std::abs(thinner / strain / poisson - 1) < 0.03, qPrintable(QString::number(thinner / strain)));
+        const double force = -now->fixtureForces[1].x();
+        QVERIFY(std::abs(force / (modulus * std::pow(6 * spacing, 2) * strain) - 1) < 0.05);
+    }
+
+    /// Recorded, it comes to the same bits again, on any number of threads; what was seen leads to its end.
+    void clayKeepsItsVolumeAndItsRecording()
+    {
+        const Scene scene = sceneOf({20, 4, 4}, scenes::clay());
+        PhysicalDeformation bend = byPhysics(NumberKind::bend, 5 * spacing);
+        bend.numbers.angle *= 2;
+        bend.duration = 0.5;
+        const DeformedByPhysics done = run(scene, bend);
+        const Moment& end = *done.gesture.moment;
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        const std::vector<Vec3> places = placesIn(end);
+        QVERIFY(farthestOfHeld(scene, bend, end.fixtures, places) < 1e-10);
+        const double before = scenes::blockVolume(aggregate, Simulation(scene).snapshot()->bodies[0].positions);
+        QVERIFY(std::abs(scenes::blockVolume(aggregate, places) / before - 1) < 5e-3);
+        QVERIFY(done.film.underWay().size() > 10);
+        QCOMPARE(done.film.underWay().back()->step, end.steps.count);
+        for (const int threads : {1, 4})
+            onThreads(threads, [&] {
+                QCOMPARE(replay(Simulation(scene), done.gesture.commands, end.steps.count).stateHash(),
+                         done.gesture.hash);
+            });
+    }
+
+    /// Rubber is straight again, but for what the held end keeps.
+    void whatIsLetGoSpringsBack()
+    {
+        const Scene scene = sceneOf({20, 4, 4}, rubber());
+        PhysicalDeformation bend = byPhysics(NumberKind::bend, 6 * spacing);
+        bend.duration = 0.2;
+        bend.letsGo = true;
+        bend.numbers.stays = 1;
+        const DeformedByPhysics done = run(scene, bend);
+        const Moment& end = *done.gesture.moment;
+        QVERIFY(!end.fixtures[0] && end.fixtures[1]);
+        const std::vector<Vec3> places = placesIn(end);
+        double farthest = 0;
+        for (ObjectIndex i = 0; i < places.size(); ++i)
+            farthest = std::max(farthest, (places[i] - scene.bodies[0].aggregate->lattice.position(i)).norm());
+        QVERIFY2(farthest < 0.1 * spacing, qPrintable(QString::number(farthest)));
+    }
+
+    void whatGripsCannotDoIsSaid_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char* name, NumberKind kind, double from, double to, const char* words) {
+            QTest::newRow(name) << static_cast<int>(kind) << from << to << QString(words);
+        };
+        row("taper", NumberKind::taper, -0.01, 0.01, "do it exactly");
+        row("beside", NumberKind::twist, 0.06, 0.08, "\"bar\" lies wholly beyond");
+        row("one side", NumberKind::twist, 0, 0.05, "\"bar\" does not reach both");
+        row("too near", NumberKind::shear, 0, 0.003, "two spacings");
+        row("fold", NumberKind::bend, -0.002, 0.002, "would fold");
+    }
+    void whatGripsCannotDoIsSaid()
+    {
+        QFETCH(int, kind);
+        QFETCH(double, from);
+        QFETCH(double, to);
+        QFETCH(QString, words);
+        PhysicalDeformation wanted = byPhysics(static_cast<NumberKind>(kind), half);
+        wanted.numbers.from = from;
+        wanted.numbers.to = to;
+        wanted.numbers.angle *= 3;
+        try {
+            run(sceneOf({20, 4, 4}, rubber()), wanted);
+            QFAIL("it was done");
+        } catch (const Problem& problem) {
+            QVERIFY2(QString(problem.what()).contains(words), problem.what());
+        }
+    }
+
+    /// A plane at the end of a bar has nothing beyond: its last layer is held.
+    void planesMayBeAtTheEnds()
+    {
+        const Scene scene = sceneOf({20, 4, 4}, rubber());
+        const auto rest = Simulation(scene).snapshot();
+        for (const double plane : {10 * spacing, 10.4 * spacing}) {
+            const std::vector<HeldEnds> held = heldEnds(byPhysics(NumberKind::twist, plane), *rest, {"bar"});
+            QCOMPARE(held.size(), std::size_t{1});
+            QCOMPARE(held[0].first.size(), std::size_t{25});
+            QCOMPARE(held[0].second.size(), std::size_t{25});
         }
     }
 };

@@ -1,5 +1,6 @@
 #include "core/deformation/number_words.h"
 #include "io/recipe/recipe_deformations.h"
+#include "io/recipe/recipe_physics.h"
 #include "support/recipe_texts.h"
 
 #include <QtTest>
@@ -19,6 +20,9 @@ private slots:
     void bendsMayBeSaidByTheirRadius();
     void fieldsOfFilesAreNamed();
     void whatIsWrittenIsReadToTheBit();
+    void deformingByPhysicsIsAnEvent();
+    void whatGripsCannotDoIsNamed_data();
+    void whatGripsCannotDoIsNamed();
     void whatIsWrongIsNamed_data();
     void whatIsWrongIsNamed();
 };
@@ -133,6 +137,57 @@ void RecipeDeformTest::whatIsWrittenIsReadToTheBit()
             return a.body == b.body && a.faces == b.faces;
         }));
     }
+}
+
+void RecipeDeformTest::deformingByPhysicsIsAnEvent()
+{
+    DeformByPhysics wanted{.body = "Bar",
+                           .what = {.numbers = {.kind = NumberKind::bend,
+                                                .origin = Vec3(0.1, -0.02, 1.0 / 3),
+                                                .axis = Vec3(0.6, 0, 0.8),
+                                                .side = Vec3(-0.8, 0, 0.6),
+                                                .from = -0.0123456789,
+                                                .to = 1.0 / 7,
+                                                .angle = 0.7312345678901234,
+                                                .neutral = 1e-3 / 3,
+                                                .stays = 1.0 / 3},
+                                    .duration = 1.0 / 3,
+                                    .letsGo = true,
+                                    .name = "hand"}};
+    const std::string event =
+        R"([{"time_s": 0.5, "deform_by_physics": )" + recipe_keys::PhysicsWords::text(wanted) + "}]";
+    const Recipe recipe = readText(
+        R"({"version": 1, "part": {"file": "bar.stl"}, "objects": 500, "duration_s": 2, "events": )" + event + "}");
+    QCOMPARE(recipe.events.size(), std::size_t{1});
+    QCOMPARE(recipe.events[0].time, 0.5);
+    const auto& read = std::get<DeformByPhysics>(recipe.events[0].action);
+    QCOMPARE(read.body, wanted.body);
+    QVERIFY2(read.what.numbers == wanted.what.numbers, event.c_str());
+    QVERIFY(read.what.duration == wanted.what.duration && read.what.letsGo && read.what.name == "hand");
+}
+
+void RecipeDeformTest::whatGripsCannotDoIsNamed_data()
+{
+    QTest::addColumn<QString>("item");
+    QTest::addColumn<QString>("says");
+    const QString planes = R"("axis": [1, 0, 0], "from_mm": 0, "to_mm": 9)";
+    const QString twist = R"({"time_s": 0, "deform_by_physics": {"kind": "twist", "angle_deg": 9, )" + planes;
+    QTest::newRow("taper") << R"({"time_s": 0, "deform_by_physics": {"kind": "taper", "factor": 2, )" + planes + "}}"
+                           << "events[0].deform_by_physics.kind cannot be done by physics";
+    QTest::newRow("eased") << twist + R"(, "eases": true}})"
+                           << "eases";
+    QTest::newRow("no time") << twist + R"(, "duration_s": 0}})"
+                             << "duration_s must be a number between 0.01 and 3600";
+    QTest::newRow("twice") << twist + "}}, " + twist + "}}"
+                           << "is used twice: \"twist: first end\"";
+}
+
+void RecipeDeformTest::whatGripsCannotDoIsNamed()
+{
+    QFETCH(QString, item);
+    QFETCH(QString, says);
+    const std::string message = messageFor(with("events", "[" + item.toStdString() + "]"));
+    QVERIFY2(message.find(says.toStdString()) != std::string::npos, message.c_str());
 }
 
 void RecipeDeformTest::whatIsWrongIsNamed_data()

@@ -104,10 +104,7 @@ NumberDeformation deformationOf(const NumberForm& form, const NumberSubject& sub
 
 PhysicalDeformation physicalDeformationOf(const NumberForm& form, const NumberSubject& subject)
 {
-    return {.numbers = deformationOf(form, subject),
-            .duration = form.duration,
-            .letsGo = form.letsGo,
-            .name = Deforming::tr("Grip").toStdString()};
+    return {.numbers = deformationOf(form, subject), .duration = form.duration, .letsGo = form.letsGo};
 }
 
 void takeHeights(NumberSubject& subject, const NumberForm& form, const TriangleMesh& surface)
