@@ -3,8 +3,8 @@
 #include "app/cad_process.h"
 #include "app/recipe_files.h"
 #include "app/resources.h"
-#include "core/deformation/end_motion.h"
 #include "core/message/message.h"
+#include "core/session/end_grips.h"
 #include "io/material_library.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ Material materialOf(const PhysicsWish& physics)
 }
 
 /// What was left open filled in, from the part as it is.
-NumberDeformation numbersOf(const PhysicalMorphRequest& request, TaskControl& control)
+NumberDeformation numbersFilledIn(const PhysicalMorphRequest& request, TaskControl& control)
 {
     TaskPortion reading(control, 0, 0.7);
     const Model model = importInChild(request.input, request.import, reading);
@@ -65,13 +65,12 @@ NumberDeformation numbersOf(const PhysicalMorphRequest& request, TaskControl& co
 RunReport morphByPhysics(const PhysicalMorphRequest& request, TaskControl& control, const SayAtOnce& say)
 {
     const PhysicsWish& physics = request.physics;
-    if (!hasRigidEnds(wishOf(request).kind))
-        throw Problem(Message("Deformation", "--physics bends, twists, stretches and shears, which grips at the ends "
-                                             "can do; tapering and scaling are done exactly only."));
+    if (const Message why = whyNotByPhysics(wishOf(request).kind); !why.empty())
+        throw Problem(why);
     const Material material = materialOf(physics);
     TaskPortion planning(control, 0, 0.1);
     DeformByPhysics deform{.body = request.parts.empty() ? std::string() : request.parts.front(),
-                           .what = {.numbers = numbersOf(request, planning),
+                           .what = {.numbers = numbersFilledIn(request, planning),
                                     .duration = physics.duration.value_or(usualDuration),
                                     .letsGo = physics.letsGo}};
     Recipe recipe;

@@ -7,7 +7,7 @@ namespace knead {
 namespace {
 
 /// With a share of its amount.
-NumberDeformation part(const NumberDeformation& whole, double share)
+NumberDeformation withShare(const NumberDeformation& whole, double share)
 {
     NumberDeformation result = whole;
     result.angle *= share;
@@ -30,7 +30,7 @@ Vec3 turnAxis(const NumberDeformation& deformation)
 
 EndPlace endPlace(const NumberDeformation& deformation, NumberEnd end, double share)
 {
-    const NumberDeformation now = part(deformation, share);
+    const NumberDeformation now = withShare(deformation, share);
     const bool isFirst = end == NumberEnd::first;
     const bool turns = now.kind == NumberKind::bend || now.kind == NumberKind::twist;
     const double height = now.kind == NumberKind::bend ? now.neutral : 0;

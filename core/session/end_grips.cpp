@@ -3,7 +3,6 @@
 #include "core/deformation/number_map.h"
 #include "core/deformation/number_placement.h"
 #include "core/deformation/number_words.h"
-#include "core/message/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +11,15 @@ namespace knead {
 
 namespace {
 
-constexpr double shortest = 0.01;     // [s]
-constexpr double longest = 3600;      // [s]
-constexpr double planeSlack = 1e-9;   // of the length between the planes
-constexpr double leastSpacings = 2;   // between the planes
-constexpr double nearEnough = 1e-9;   // of a length, and as an angle [rad]
-constexpr double stillEnough = 1e-12; // of a length: rounding
+constexpr double shortestOfWays = 0.01; // [s]
+constexpr double longestOfWays = 3600;  // [s]
+constexpr double planeSlack = 1e-9;     // of the length between the planes
+constexpr double leastSpacings = 2;     // between the planes
+constexpr double arrivedWithin = 1e-9;  // of a length, and as an angle [rad]
+constexpr double stillEnough = 1e-12;   // of a length: rounding
 constexpr std::array bothEnds{NumberEnd::first, NumberEnd::second};
 
-Message subjectOf(const std::string& name)
+Message quotedName(const std::string& name)
 {
     return name.empty() ? Message("Deformation", "The body") : Message::verbatim("\"" + name + "\"");
 }
@@ -28,12 +27,9 @@ Message subjectOf(const std::string& name)
 void check(const PhysicalDeformation& deformation)
 {
     const NumberDeformation& numbers = deformation.numbers;
-    if (!hasRigidEnds(numbers.kind))
-        throw Problem(Message("Deformation",
-                              "Physics bends, twists, stretches and shears, which grips at the ends can do. \"%1\" "
-                              "changes the ends themselves: do it exactly.")
-                          .with(wordsOf(numbers.kind).name));
-    if (!(deformation.duration >= shortest && deformation.duration <= longest))
+    if (const Message why = whyNotByPhysics(numbers.kind); !why.empty())
+        throw Problem(why);
+    if (!(deformation.duration >= shortestOfWays && deformation.duration <= longestOfWays))
         throw Problem(Message("Deformation", "Deforming by physics takes 0.01 to 3600 s."));
     const NumberMap checked(numbers);
 }
@@ -99,6 +95,15 @@ Message whyNothing(const NumberDeformation& numbers, const Layout& layout, const
 
 } // namespace
 
+Message whyNotByPhysics(NumberKind kind)
+{
+    if (hasRigidEnds(kind))
+        return {};
+    return Message("Deformation", "Physics bends, twists, stretches and shears, which grips at the ends can do. \"%1\" "
+                                  "changes the ends themselves: do it exactly.")
+        .with(wordsOf(kind).name);
+}
+
 std::string nameOfGrip(const PhysicalDeformation& deformation, NumberEnd end)
 {
     const std::string name =
@@ -124,7 +129,7 @@ std::vector<HeldEnds> heldEnds(const PhysicalDeformation& deformation, const Sna
         const Snapshot::BodyState& state = now.bodies[b];
         if (!which.empty() && !which[b])
             continue;
-        const Message subject = subjectOf(b < names.size() ? names[b] : std::string());
+        const Message subject = quotedName(b < names.size() ? names[b] : std::string());
         if (state.kind != BodyKind::deformable) {
             why = Message("Deformation", "%1 is rigid: physics deforms what can be deformed. Make it deformable first.")
                       .with(subject);
@@ -192,8 +197,8 @@ bool EndGrips::isThere() const
 {
     for (std::size_t i = 0; i < bothEnds.size(); ++i) {
         const EndPlace goal = endPlace(m_deformation.numbers, bothEnds[i], 1);
-        const bool isNear = (goal.place - m_ends[i].now.place).norm() <= nearEnough * m_deformation.numbers.length();
-        if (!isNear || std::abs(goal.angle - m_ends[i].now.angle) > nearEnough)
+        const bool isNear = (goal.place - m_ends[i].now.place).norm() <= arrivedWithin * m_deformation.numbers.length();
+        if (!isNear || std::abs(goal.angle - m_ends[i].now.angle) > arrivedWithin)
             return false;
     }
     return true;

@@ -2,6 +2,7 @@
 
 #include "core/deformation/end_motion.h"
 #include "core/deformation/physical_deformation.h"
+#include "core/message/message.h"
 #include "core/simulation/command.h"
 #include "core/simulation/snapshot.h"
 
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace knead {
+
+/// Why grips cannot do what a kind does; empty: they can.
+Message whyNotByPhysics(NumberKind kind);
 
 /// Among other fixtures.
 std::string nameOfGrip(const PhysicalDeformation& deformation, NumberEnd end);
@@ -53,6 +57,8 @@ public:
     };
     /// Per end what its grip is to do from now on; none: as before.
     using Moves = std::array<std::optional<Move>, 2>;
+
+    static constexpr double leastHorizon = 1.0 / 60; ///< [s]
 
     /// @param time at which a step begins [s] @param step that comes, about [s]
     /// @param horizon for which they are told a way, not shorter than steps are [s]

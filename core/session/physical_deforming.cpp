@@ -10,12 +10,11 @@ namespace knead {
 
 namespace {
 
-constexpr double frame = 1.0 / 60;  // for which grips are told a way, at least [s]
 constexpr double longestRest = 3;   // after their way [s]
 constexpr double wayShare = 0.9;    // of the progress
-constexpr double stillSpeed = 1e-3; // spacings per second: nobody sees that
+constexpr double stillSpeed = 1e-2; // spacings per second: nobody sees that
 
-/// Far more than a hundredth of a spacing in ten seconds.
+/// Between two frames.
 bool isStill(const Snapshot& before, const Snapshot& now)
 {
     for (std::size_t b = 0; b < now.bodies.size(); ++b) {
@@ -31,7 +30,7 @@ bool isStill(const Snapshot& before, const Snapshot& now)
 }
 
 /// With a name that no fixture has: "bend", "bend 2".
-PhysicalDeformation named(PhysicalDeformation deformation, const Snapshot& now)
+PhysicalDeformation withFreeName(PhysicalDeformation deformation, const Snapshot& now)
 {
     const std::string stem =
         deformation.name.empty() ? std::string(wordsOf(deformation.numbers.kind).word) : deformation.name;
@@ -75,7 +74,8 @@ public:
     {
         for (; !m_grips.isOver(); step(control)) {
             const double step = m_simulation.timeStep();
-            const EndGrips::Moves moves = m_grips.follow(m_simulation.time(), step, std::max(frame, step));
+            const EndGrips::Moves moves =
+                m_grips.follow(m_simulation.time(), step, std::max(EndGrips::leastHorizon, step));
             for (std::size_t end = 0; end < moves.size(); ++end)
                 for (const FixtureId id : m_ids[end])
                     if (moves[end])
@@ -125,7 +125,7 @@ private:
         m_now = m_simulation.snapshot();
         m_film.see(m_now);
         const double done = (m_simulation.time() - m_begin) / m_deformation.duration;
-        control.report(wayShare * std::min(1.0, done), "deforming");
+        control.report(wayShare * std::min(1.0, done), "moving the grips");
     }
 
     Simulation m_simulation;
@@ -146,7 +146,7 @@ DeformedByPhysics deformByPhysics(Simulation simulation, const PhysicalDeformati
     simulation.applyCommands();
     const SnapshotPointer now = simulation.snapshot();
     const std::vector<HeldEnds> held = heldEnds(deformation, *now, names, which);
-    Deforming run(std::move(simulation), named(deformation, *now), filmMemory);
+    Deforming run(std::move(simulation), withFreeName(deformation, *now), filmMemory);
     run.hold(held);
     run.goTheWay(control);
     run.letGo();

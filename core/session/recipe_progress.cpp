@@ -9,8 +9,6 @@ namespace knead {
 
 namespace {
 
-constexpr double frame = 1.0 / 60; // for which grips are told a way, at least [s]
-
 /// Whether the step nearest to a time [s] has been reached.
 bool isAt(const Simulation& simulation, double time)
 {
@@ -89,7 +87,8 @@ void RecipeProgress::moveGrips(Simulation& simulation, const std::function<void(
     const double step = isStatic ? m_recipe.duration / m_recipe.loadSteps : simulation.timeStep();
     for (auto& [event, grips] : m_mark.onTheWay) {
         const PhysicalDeformation& what = std::get<DeformByPhysics>(m_recipe.events[event].action).what;
-        const EndGrips::Moves moves = grips.follow(simulation.time(), step, isStatic ? step : std::max(frame, step));
+        const EndGrips::Moves moves =
+            grips.follow(simulation.time(), step, isStatic ? step : std::max(EndGrips::leastHorizon, step));
         for (Command& command : m_events.movesOf(what, moves))
             carryOut(std::move(command), simulation, refused);
         if (grips.isOver() && what.letsGo)

@@ -20,7 +20,7 @@ DeformByPhysics PhysicsWords::read(const JsonNode& node)
     PhysicalDeformation& what = deform.what;
     if (!hasRigidEnds(what.numbers.kind))
         node.at("kind").fail(
-            Message("Recipe", "cannot be done by physics: grips cannot change the ends. Say it in \"deform\"."));
+            Message("Recipe", "cannot be done by physics, since grips do not change the ends; say it in \"deform\"."));
     if (const auto body = node.find("body"))
         deform.body = body->text();
     if (const auto name = node.find("name"))

@@ -262,7 +262,7 @@ private slots:
         row("physics of nothing", {"--bend", "9", "--let-go"}, "give --physics too");
         row("no material", {"--bend", "9", "--physics"}, "give --material, one of");
         row("another material", {"--bend", "9", "--physics", "--material", "cheese"}, "no material \"cheese\"");
-        row("taper", {"--taper", "2", "--physics", "--material", "steel"}, "exactly only");
+        row("taper", {"--taper", "2", "--physics", "--material", "steel"}, "do it exactly");
         row("two at once", {"--bend", "9", "--twist", "9", "--physics", "--material", "steel"}, "one bend");
     }
 

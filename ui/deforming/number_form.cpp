@@ -1,7 +1,7 @@
 #include "ui/deforming/number_form.h"
 
-#include "core/deformation/end_motion.h"
 #include "core/deformation/number_map.h"
+#include "core/session/end_grips.h"
 #include "ui/language/said.h"
 #include "ui/units.h"
 
@@ -144,9 +144,8 @@ std::optional<Message> whyNot(const NumberForm& form, const NumberSubject& subje
         return Message("Deforming", "The second plane must lie behind the first one, along the axis.");
     if (form.along == NumberForm::Along::face && !subject.faceNormal)
         return Message("Deforming", "Select a flat face first, whose normal is to be the axis.");
-    if (form.isByPhysics && !hasRigidEnds(form.kind))
-        return Message("Deforming", "Physics bends, twists, stretches and shears, which grips at the ends can do. This "
-                                    "changes the ends themselves: do it exactly.");
+    if (const Message why = whyNotByPhysics(form.kind); form.isByPhysics && !why.empty())
+        return why;
     const NumberDeformation deformation = deformationOf(form, subject);
     try {
         numberMap(deformation);

@@ -90,6 +90,7 @@ namespace {
                                                       QT_TRANSLATE_NOOP("Stage", "smoothing the cracks"),
                                                       QT_TRANSLATE_NOOP("Stage", "repeating"),
                                                       QT_TRANSLATE_NOOP("Stage", "finding the balance"),
+                                                      QT_TRANSLATE_NOOP("Stage", "moving the grips"),
                                                       QT_TRANSLATE_NOOP("Stage", "reading the file"),
                                                       QT_TRANSLATE_NOOP("Stage", "looking into the file"),
                                                       QT_TRANSLATE_NOOP("Stage", "making shapes"),
