@@ -167,14 +167,21 @@ std::vector<Command> addedGrips(const PhysicalDeformation& deformation, const st
 }
 
 EndGrips::EndGrips(const PhysicalDeformation& deformation, double begin)
+    : EndGrips(deformation, begin, begin)
+{
+    for (End& end : m_ends)
+        end.told = Move{};
+}
+
+EndGrips::EndGrips(const PhysicalDeformation& deformation, double begin, double now)
     : m_deformation(deformation)
     , m_begin(begin)
-    , m_time(begin)
-    , m_toldUntil(begin)
+    , m_time(now)
+    , m_toldUntil(now)
 {
     m_deformation.numbers.eases = false;
     for (std::size_t i = 0; i < bothEnds.size(); ++i)
-        m_ends[i].now = endPlace(m_deformation.numbers, bothEnds[i], 0);
+        m_ends[i] = {.now = endPlace(m_deformation.numbers, bothEnds[i], shareAt(now)), .told = std::nullopt};
 }
 
 double EndGrips::shareAt(double time) const
@@ -187,7 +194,8 @@ double EndGrips::shareAt(double time) const
 void EndGrips::goOn(double time)
 {
     for (End& end : m_ends) {
-        end.now.place += (time - m_time) * end.told.velocity;
+        if (end.told)
+            end.now.place += (time - m_time) * end.told->velocity;
         end.now.angle += (time - m_time) * end.turning;
     }
     m_time = time;
@@ -213,7 +221,7 @@ std::optional<EndGrips::Move> EndGrips::moveTo(End& end, const EndPlace& target,
         move.velocity = way / horizon;
     if (end.turning != 0)
         move.turn = {.center = end.now.place, .angularVelocity = end.turning * turnAxis(m_deformation.numbers)};
-    const bool isSame = move == end.told && end.turning == 0;
+    const bool isSame = end.told == move && end.turning == 0;
     end.told = move;
     return isSame ? std::nullopt : std::optional(move);
 }

@@ -46,6 +46,8 @@ class EndGrips {
 public:
     /// @param begin when the grips were added [s]
     EndGrips(const PhysicalDeformation& deformation, double begin);
+    /// Where the formula has them at a time since then, moving as nobody knows.
+    EndGrips(const PhysicalDeformation& deformation, double begin, double now);
 
     struct Move {
         Vec3 velocity = Vec3::Zero(); ///< [m/s]
@@ -70,9 +72,9 @@ public:
 
 private:
     struct End {
-        EndPlace now; ///< by what was told
-        Move told;
-        double turning = 0; ///< about the axis [rad/s]
+        EndPlace now;                      ///< by what was told
+        std::optional<Move> told = Move{}; ///< none: not known
+        double turning = 0;                ///< about the axis [rad/s]
     };
 
     void goOn(double time);

@@ -174,14 +174,13 @@ struct CommandMaker {
             if (!cut.body.empty() || bodies[body].kind == BodyKind::deformable)
                 made.push_back(Cut{body, cut.point, cut.normal});
     }
-    /// Of bodies as they are filled; a run finds them where they are by then.
+    /// Of bodies as they are filled, all deformable; a run finds them where and what they are by then.
     void operator()(const DeformByPhysics& deform) { made = gripsOf(deform, atRest(bodies)); }
     static Snapshot atRest(const std::vector<Body>& bodies)
     {
         Snapshot rest;
         for (const Body& body : bodies) {
-            Snapshot::BodyState& state =
-                rest.bodies.emplace_back(Snapshot::BodyState{.kind = body.kind, .aggregate = body.aggregate});
+            Snapshot::BodyState& state = rest.bodies.emplace_back(Snapshot::BodyState{.aggregate = body.aggregate});
             for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
                 state.positions.push_back(body.aggregate->lattice.position(i));
         }

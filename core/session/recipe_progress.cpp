@@ -157,7 +157,17 @@ void RecipeProgress::goTo(const Moment& moment, const std::optional<Mark>& mark)
     m_events.goTo(moment);
     const auto isNext = [&](const RecipeEvent& event) { return !wasDue(event, moment); };
     const auto next = std::find_if(m_recipe.events.begin(), m_recipe.events.end(), isNext);
-    m_mark = mark.value_or(Mark{.nextEvent = static_cast<std::size_t>(next - m_recipe.events.begin())});
+    if (mark) {
+        m_mark = *mark;
+        return;
+    }
+    m_mark = {.nextEvent = static_cast<std::size_t>(next - m_recipe.events.begin())};
+    for (std::size_t event = 0; event < m_mark.nextEvent; ++event)
+        if (const auto* deform = std::get_if<DeformByPhysics>(&m_recipe.events[event].action)) {
+            const double begin = m_recipe.events[event].time;
+            if (moment.steps.time < begin + deform->what.duration)
+                m_mark.onTheWay.emplace_back(event, EndGrips(deform->what, begin, moment.steps.time));
+        }
 }
 
 void checkEvents(const Recipe& recipe, const RecipeScene& ready)
