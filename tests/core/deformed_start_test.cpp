@@ -16,6 +16,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -305,6 +306,26 @@ private slots:
                     QVERIFY((map.at(rest.place + arm) - gone).norm() < 1e-15);
                 }
             }
+    }
+
+    /// Whatever the steps, and from a moment in the midst of it.
+    void gripsEndTheirWayExactly()
+    {
+        const PhysicalDeformation bend = byPhysics(NumberKind::bend, half);
+        for (const double from : {0.0, 0.37}) {
+            EndGrips grips = from == 0 ? EndGrips(bend, 0) : EndGrips(bend, 0, from);
+            double time = from;
+            for (int step = 0; step < 400 && !grips.isOver(); ++step) {
+                const double length = std::array{1.0 / 60, 1.0 / 120, 1.0 / 240}.at(static_cast<std::size_t>(step % 3));
+                grips.follow(time, length, EndGrips::leastHorizon);
+                time += length;
+            }
+            QVERIFY(grips.isOver() && time < 1.5);
+            const EndPlace end = endPlace(bend.numbers, NumberEnd::second, 1);
+            QVERIFY((grips.placeOf(NumberEnd::second).place - end.place).norm() < 1e-9 * half);
+            QVERIFY(std::abs(grips.placeOf(NumberEnd::second).angle - end.angle) < 1e-8);
+            QCOMPARE(grips.placeOf(NumberEnd::first).angle, 0.0);
+        }
     }
 
     /// M = E I kappa: a long bar between grips is an arc of a circle, but near these, which keep sections as they are.
