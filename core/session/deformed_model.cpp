@@ -18,7 +18,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t mostTriangles = 400'000;
+constexpr std::size_t mostDeformedTriangles = 400'000;
 constexpr double edges = 200;         // of a mesh, across it
 constexpr double leastWay = 1e-9;     // of the size of a part; objects that have moved less are where they were
 constexpr double mappingShare = 0.05; // of the progress
@@ -193,14 +193,15 @@ private:
         job.parts.push_back(m_parts[p]);
         job.tree = {m_model.parts[p].name, std::size_t{0}, {}};
         std::vector<Part> pieces;
-        for (PartToExport& piece : withPieces(std::move(job), mostTriangles, control).parts) {
+        for (PartToExport& piece : withPieces(std::move(job), mostDeformedTriangles, control).parts) {
             Part& part = pieces.emplace_back(std::move(piece.part));
             if (piece.aggregate)
-                part.mesh = deformedSurface(part.mesh, *piece.aggregate, piece.displacements, mostTriangles, control);
+                part.mesh =
+                    deformedSurface(part.mesh, *piece.aggregate, piece.displacements, mostDeformedTriangles, control);
             if (piece.deformations) {
                 const double longest =
                     std::max(m_map->featureSize() / 4, m_model.parts[p].box.diagonal().norm() / edges);
-                part.mesh = carriedMesh(part.mesh, *m_map, longest, mostTriangles);
+                part.mesh = carriedMesh(part.mesh, *m_map, longest, mostDeformedTriangles);
                 for (std::vector<Vec3>& edge : part.openEdges)
                     m_map->evaluate(std::vector<Vec3>(edge), edge);
             }

@@ -1,3 +1,4 @@
+#include "core/document/history_replay.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "io/formats/mesh_writer.h"
@@ -579,6 +580,9 @@ private slots:
         QCOMPARE(QString::fromStdString(now.fixtures[1].name), QString("bend: second end"));
         QVERIFY(seenBox().max().z() > before.max().z() + 0.02);
         picture("deformed-by-physics");
+        const Project project = document().project();
+        HistoryReplay again(project, HistoryReplay::From::starts, document().history().packing());
+        QVERIFY(again.repeat(project.current, TaskControl::none()).isSame);
         key(Qt::Key_Z, Qt::ControlModifier);
         wait();
         QVERIFY(document().frame()->snapshot->fixtures.empty());
