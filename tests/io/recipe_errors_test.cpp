@@ -109,7 +109,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "renormalize, body_kind, floor, integrator, pace, add_fixture, move_fixture, add_manipulator, "
         "move_manipulator, "
         "place_manipulator, reshape_manipulator, add_load, change_load, remove_load, find_balance_s, refill, cut, "
-        "reset, "
+        "deform_by_physics, reset, "
         "keep_moment.");
     row("two events in one", with("events", R"([{"time_s": 1, "renormalize": {}, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0] must have only one of the keys gravity_m_s2 and renormalize.");
