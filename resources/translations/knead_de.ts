@@ -944,10 +944,6 @@
         <translation>Zuerst in die Gegenwart zurückkehren: Esc.</translation>
     </message>
     <message>
-        <source>Deform by numbers</source>
-        <translation>Mit Zahlen verformen</translation>
-    </message>
-    <message>
         <source>No part is selected: click one in the tree, or choose all parts.</source>
         <translation>Kein Teil ist ausgewählt: eines im Baum anklicken oder alle Teile wählen.</translation>
     </message>
@@ -1164,6 +1160,58 @@
         <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
         <translation>Eine sanfte Streckung kann nicht auf weniger als 0,47 verkürzen: die Mitte würde sich falten. Einen größeren Faktor nehmen oder sie nicht sanft beginnen lassen.</translation>
     </message>
+    <message>
+        <source>The body</source>
+        <translation>Der Körper</translation>
+    </message>
+    <message>
+        <source>Deforming by physics takes 0.01 to 3600 s.</source>
+        <translation>Verformen durch Physik dauert 0,01 bis 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 lies wholly beyond one of the planes, so that it would only be carried along. Put the planes where it is to be deformed.</source>
+        <translation>%1 liegt ganz jenseits einer der Ebenen und würde nur mitgenommen. Die Ebenen dorthin setzen, wo verformt werden soll.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 is free between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Nichts von %1 ist zwischen den Ebenen frei: Ebenen weiter auseinander setzen oder mit kleinerem Abstand füllen.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach both planes, so that grips cannot hold it on both sides. Put the planes where it is, or at its ends.</source>
+        <translation>%1 reicht nicht bis zu beiden Ebenen, sodass Griffe es nicht auf beiden Seiten halten können. Die Ebenen dorthin setzen, wo es ist, oder an seine Enden.</translation>
+    </message>
+    <message>
+        <source>Physics bends, twists, stretches and shears, which grips at the ends can do. &quot;%1&quot; changes the ends themselves: do it exactly.</source>
+        <translation>Die Physik biegt, verdreht, streckt und schert, was Griffe an den Enden können. „%1“ ändert die Enden selbst: exakt ausführen.</translation>
+    </message>
+    <message>
+        <source>There is no part that could be deformed.</source>
+        <translation>Es gibt kein Teil, das verformt werden könnte.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid: physics deforms what can be deformed. Make it deformable first.</source>
+        <translation>%1 ist starr: Die Physik verformt, was verformbar ist. Zuerst verformbar machen.</translation>
+    </message>
+    <message>
+        <source>Less than two spacings of %1 lie between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Weniger als zwei Abstände von %1 liegen zwischen den Ebenen: Ebenen weiter auseinander setzen oder mit kleinerem Abstand füllen.</translation>
+    </message>
+    <message>
+        <source>--physics does one bend, twist, stretch or shear at a time; give one of them, and for more write a recipe.</source>
+        <translation>--physics macht eine Biegung, Verdrehung, Streckung oder Scherung auf einmal; eine davon angeben und für mehr ein Rezept schreiben.</translation>
+    </message>
+    <message>
+        <source>--physics deforms one part or all of them; for some write a recipe.</source>
+        <translation>--physics verformt ein Teil oder alle; für einige ein Rezept schreiben.</translation>
+    </message>
+    <message>
+        <source>--physics needs to know what the part is made of: give --material, one of %1.</source>
+        <translation>--physics muss wissen, woraus das Teil besteht: --material angeben, eines von %1.</translation>
+    </message>
+    <message>
+        <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
+        <translation>Es gibt kein Material „%1“; --material ist eines von %2.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>
@@ -1254,6 +1302,10 @@
     <message>
         <source>Scaling</source>
         <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>%1 by physics</source>
+        <translation>%1 durch Physik</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1738,10 @@
     <message>
         <source>Press it</source>
         <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
+        <translation>%1 läuft noch: warten, oder mit Esc abbrechen, und dann noch einmal verformen.</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +4571,10 @@ Simuliert: %2, Schritt %3
         <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
         <translation>Beim Öffnen wurden nur einige Teile oder eine andere Einheit gewählt. Stattdessen alle Dateien zusammen öffnen, mit Datei &gt; Mit Auswahl öffnen.</translation>
     </message>
+    <message>
+        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
+        <translation>Mit weiteren Teilen wird alles neu geöffnet, in den Formen der Dateien.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -4720,6 +4780,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Go back to the part first: Esc.</source>
         <translation>Zuerst zum Teil zurückkehren: Esc.</translation>
+    </message>
+    <message>
+        <source>Arrows, PgUp, PgDn: place   Space: play, and it presses   %1: orbit</source>
+        <translation>Pfeile, Bild auf, Bild ab: hinstellen   Leertaste: starten, dann drückt es   %1: drehen</translation>
     </message>
 </context>
 <context>
@@ -5230,6 +5294,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>no limit</source>
         <translation>ohne Grenze</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>weniger als %1</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>Woher die Zahlen stammen</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +5945,38 @@ Simuliert: %2, Schritt %3
     <message>
         <source>straight</source>
         <translation>gerade</translation>
+    </message>
+    <message>
+        <source>Let go at the end</source>
+        <translation>Am Ende loslassen</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>By physics</source>
+        <translation>Durch Physik</translation>
+    </message>
+    <message>
+        <source>Exactly: all goes as the formula says. By physics: what lies beyond the planes is held by grips that go as the formula says, and the material between them finds its own shape</source>
+        <translation>Exakt: Alles geht, wie die Formel sagt. Durch Physik: Was jenseits der Ebenen liegt, halten Griffe, die gehen, wie die Formel sagt, und das Material dazwischen findet seine eigene Form</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Time it takes</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Of the way of the grips; material that flows resists less when it is slow</source>
+        <translation>Des Weges der Griffe; Material, das fließt, widersteht langsam weniger</translation>
+    </message>
+    <message>
+        <source>The grip that has moved most opens, so that elastic material springs back</source>
+        <translation>Der Griff, der am weitesten gegangen ist, öffnet sich, sodass elastisches Material zurückfedert</translation>
     </message>
 </context>
 <context>
@@ -6819,6 +6923,18 @@ Simuliert: %2, Schritt %3
         <source>how the parts of start state %1 were deformed</source>
         <translation>wie die Teile des Anfangszustands %1 verformt wurden</translation>
     </message>
+    <message>
+        <source>Nothing was opened; the file is damaged or far too large.</source>
+        <translation>Es wurde nichts geöffnet; die Datei ist beschädigt oder viel zu groß.</translation>
+    </message>
+    <message>
+        <source>Nothing was opened; open a copy of the project, or the part that it was made from.</source>
+        <translation>Es wurde nichts geöffnet; öffnen Sie eine Kopie des Projekts oder das Teil, aus dem es entstand.</translation>
+    </message>
+    <message>
+        <source>the project asks for more memory than there is.</source>
+        <translation>das Projekt verlangt mehr Speicher, als es gibt.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7682,6 +7798,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>must have one item for each object</source>
         <translation>muss für jedes Objekt einen Eintrag haben</translation>
+    </message>
+    <message>
+        <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
+        <translation>kann nicht durch Physik geschehen, da Griffe die Enden nicht ändern; in „deform“ angeben.</translation>
     </message>
 </context>
 <context>
@@ -9126,6 +9246,10 @@ Simuliert: %2, Schritt %3
         <source>finding the faces again</source>
         <translation>Flächen werden wiedergefunden</translation>
     </message>
+    <message>
+        <source>moving the grips</source>
+        <translation>Griffe bewegen</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -10358,6 +10482,13 @@ Simuliert: %2, Schritt %3
     <message>
         <source>BOTTOM</source>
         <translation>UNTEN</translation>
+    </message>
+</context>
+<context>
+    <name>ViewHand</name>
+    <message>
+        <source>What is seen here is not the present: Esc returns to it. To go on from an earlier moment, press Branch here beside the timeline.</source>
+        <translation>Was hier zu sehen ist, ist nicht die Gegenwart: Esc kehrt zu ihr zurück. Um von einem früheren Augenblick aus weiterzumachen, neben der Zeitleiste auf „Hier abzweigen“ drücken.</translation>
     </message>
 </context>
 <context>

@@ -944,10 +944,6 @@
         <translation>Revenez d&apos;abord au présent : Échap.</translation>
     </message>
     <message>
-        <source>Deform by numbers</source>
-        <translation>Déformer par des nombres</translation>
-    </message>
-    <message>
         <source>No part is selected: click one in the tree, or choose all parts.</source>
         <translation>Aucune pièce n&apos;est sélectionnée : cliquez-en une dans l&apos;arbre, ou choisissez toutes les pièces.</translation>
     </message>
@@ -1164,6 +1160,58 @@
         <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
         <translation>Un étirement doux ne peut pas raccourcir à moins de 0,47 : le milieu se replierait. Prenez un facteur plus grand, ou ne l&apos;adoucissez pas.</translation>
     </message>
+    <message>
+        <source>The body</source>
+        <translation>Le corps</translation>
+    </message>
+    <message>
+        <source>Deforming by physics takes 0.01 to 3600 s.</source>
+        <translation>Déformer par la physique prend de 0,01 à 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 lies wholly beyond one of the planes, so that it would only be carried along. Put the planes where it is to be deformed.</source>
+        <translation>%1 se trouve entièrement au-delà d’un des plans et serait seulement emporté. Placez les plans là où il doit être déformé.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 is free between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Rien de %1 n’est libre entre les plans : écartez-les, ou remplissez avec un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach both planes, so that grips cannot hold it on both sides. Put the planes where it is, or at its ends.</source>
+        <translation>%1 n’atteint pas les deux plans, si bien que les prises ne peuvent pas le tenir des deux côtés. Placez les plans là où il est, ou à ses extrémités.</translation>
+    </message>
+    <message>
+        <source>Physics bends, twists, stretches and shears, which grips at the ends can do. &quot;%1&quot; changes the ends themselves: do it exactly.</source>
+        <translation>La physique courbe, tord, étire et cisaille, ce que des prises aux extrémités savent faire. « %1 » change les extrémités elles-mêmes : faites-le exactement.</translation>
+    </message>
+    <message>
+        <source>There is no part that could be deformed.</source>
+        <translation>Il n’y a aucune pièce qui puisse être déformée.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid: physics deforms what can be deformed. Make it deformable first.</source>
+        <translation>%1 est rigide : la physique déforme ce qui est déformable. Rendez-le d’abord déformable.</translation>
+    </message>
+    <message>
+        <source>Less than two spacings of %1 lie between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Moins de deux espacements de %1 se trouvent entre les plans : écartez-les, ou remplissez avec un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>--physics does one bend, twist, stretch or shear at a time; give one of them, and for more write a recipe.</source>
+        <translation>--physics fait une courbure, une torsion, un étirement ou un cisaillement à la fois ; donnez-en un, et écrivez une recette pour plus.</translation>
+    </message>
+    <message>
+        <source>--physics deforms one part or all of them; for some write a recipe.</source>
+        <translation>--physics déforme une pièce ou toutes ; pour quelques-unes, écrivez une recette.</translation>
+    </message>
+    <message>
+        <source>--physics needs to know what the part is made of: give --material, one of %1.</source>
+        <translation>--physics doit savoir de quoi la pièce est faite : donnez --material, un de %1.</translation>
+    </message>
+    <message>
+        <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
+        <translation>Il n’y a pas de matériau « %1 » ; --material est un de %2.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>
@@ -1254,6 +1302,10 @@
     <message>
         <source>Scaling</source>
         <translation>Mise à l&apos;échelle</translation>
+    </message>
+    <message>
+        <source>%1 by physics</source>
+        <translation>%1 par la physique</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1738,10 @@
     <message>
         <source>Press it</source>
         <translation>Presser</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis déformez de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +4571,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
         <translation>Seules certaines pièces, ou une autre unité, ont été choisies à l&apos;ouverture. Ouvrez plutôt tous les fichiers ensemble, avec Fichier &gt; Ouvrir avec des choix.</translation>
     </message>
+    <message>
+        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
+        <translation>Avec des pièces ajoutées, tout est rouvert, dans les formes des fichiers.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -4720,6 +4780,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Go back to the part first: Esc.</source>
         <translation>Revenez d&apos;abord à la pièce : Échap.</translation>
+    </message>
+    <message>
+        <source>Arrows, PgUp, PgDn: place   Space: play, and it presses   %1: orbit</source>
+        <translation>Flèches, Pg préc, Pg suiv : placer   Espace : lancer, et il appuie   %1 : tourner</translation>
     </message>
 </context>
 <context>
@@ -5230,6 +5294,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>no limit</source>
         <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>moins de %1</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>D&apos;où viennent les nombres</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +5945,38 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>straight</source>
         <translation>droit</translation>
+    </message>
+    <message>
+        <source>Let go at the end</source>
+        <translation>Lâcher à la fin</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>Exactement</translation>
+    </message>
+    <message>
+        <source>By physics</source>
+        <translation>Par la physique</translation>
+    </message>
+    <message>
+        <source>Exactly: all goes as the formula says. By physics: what lies beyond the planes is held by grips that go as the formula says, and the material between them finds its own shape</source>
+        <translation>Exactement : tout suit la formule. Par la physique : ce qui se trouve au-delà des plans est tenu par des prises qui suivent la formule, et la matière entre elles trouve sa propre forme</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
+    </message>
+    <message>
+        <source>Time it takes</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Of the way of the grips; material that flows resists less when it is slow</source>
+        <translation>Du trajet des prises ; la matière qui s’écoule résiste moins quand c’est lent</translation>
+    </message>
+    <message>
+        <source>The grip that has moved most opens, so that elastic material springs back</source>
+        <translation>La prise qui a le plus bougé s’ouvre, si bien que la matière élastique revient</translation>
     </message>
 </context>
 <context>
@@ -6819,6 +6923,18 @@ Simulé&#xa0;: %2, pas %3
         <source>how the parts of start state %1 were deformed</source>
         <translation>comment les pièces de l’état de départ %1 ont été déformées</translation>
     </message>
+    <message>
+        <source>Nothing was opened; the file is damaged or far too large.</source>
+        <translation>Rien n&apos;a été ouvert ; le fichier est endommagé ou beaucoup trop gros.</translation>
+    </message>
+    <message>
+        <source>Nothing was opened; open a copy of the project, or the part that it was made from.</source>
+        <translation>Rien n&apos;a été ouvert ; ouvrez une copie du projet, ou la pièce dont il est issu.</translation>
+    </message>
+    <message>
+        <source>the project asks for more memory than there is.</source>
+        <translation>le projet demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7682,6 +7798,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>must have one item for each object</source>
         <translation>doit avoir un élément pour chaque objet</translation>
+    </message>
+    <message>
+        <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
+        <translation>ne peut pas se faire par la physique, car les prises ne changent pas les extrémités ; dites-le dans « deform ».</translation>
     </message>
 </context>
 <context>
@@ -9126,6 +9246,10 @@ Simulé&#xa0;: %2, pas %3
         <source>finding the faces again</source>
         <translation>recherche des faces</translation>
     </message>
+    <message>
+        <source>moving the grips</source>
+        <translation>déplacement des prises</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -10358,6 +10482,13 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>BOTTOM</source>
         <translation>DESSOUS</translation>
+    </message>
+</context>
+<context>
+    <name>ViewHand</name>
+    <message>
+        <source>What is seen here is not the present: Esc returns to it. To go on from an earlier moment, press Branch here beside the timeline.</source>
+        <translation>Ce que vous voyez n&apos;est pas le présent : Échap y revient. Pour continuer depuis un moment antérieur, appuyez sur « Bifurquer ici » à côté de la ligne du temps.</translation>
     </message>
 </context>
 <context>

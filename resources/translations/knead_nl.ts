@@ -944,10 +944,6 @@
         <translation>Kom eerst terug naar het heden: Esc.</translation>
     </message>
     <message>
-        <source>Deform by numbers</source>
-        <translation>Vervormen met getallen</translation>
-    </message>
-    <message>
         <source>No part is selected: click one in the tree, or choose all parts.</source>
         <translation>Geen onderdeel is geselecteerd: klik er een aan in de boom, of kies alle onderdelen.</translation>
     </message>
@@ -1164,6 +1160,58 @@
         <source>A gentle stretch cannot shorten to less than 0.47: the middle would fold. Take a larger factor, or do not ease it.</source>
         <translation>Een zachte rek kan niet tot minder dan 0,47 verkorten: het midden zou vouwen. Neem een grotere factor, of laat haar niet zacht beginnen.</translation>
     </message>
+    <message>
+        <source>The body</source>
+        <translation>Het lichaam</translation>
+    </message>
+    <message>
+        <source>Deforming by physics takes 0.01 to 3600 s.</source>
+        <translation>Vervormen door fysica duurt 0,01 tot 3600 s.</translation>
+    </message>
+    <message>
+        <source>%1 lies wholly beyond one of the planes, so that it would only be carried along. Put the planes where it is to be deformed.</source>
+        <translation>%1 ligt geheel voorbij een van de grensvlakken en zou alleen worden meegenomen. Zet de grensvlakken waar het vervormd moet worden.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 is free between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Niets van %1 is vrij tussen de grensvlakken: zet ze verder uit elkaar, of vul met een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach both planes, so that grips cannot hold it on both sides. Put the planes where it is, or at its ends.</source>
+        <translation>%1 reikt niet tot beide grensvlakken, zodat grepen het niet aan beide kanten kunnen vasthouden. Zet de grensvlakken waar het is, of aan zijn uiteinden.</translation>
+    </message>
+    <message>
+        <source>Physics bends, twists, stretches and shears, which grips at the ends can do. &quot;%1&quot; changes the ends themselves: do it exactly.</source>
+        <translation>De fysica buigt, verdraait, rekt en schuift, wat grepen aan de uiteinden kunnen. &quot;%1&quot; verandert de uiteinden zelf: doe het exact.</translation>
+    </message>
+    <message>
+        <source>There is no part that could be deformed.</source>
+        <translation>Er is geen onderdeel dat vervormd kan worden.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid: physics deforms what can be deformed. Make it deformable first.</source>
+        <translation>%1 is star: de fysica vervormt wat vervormbaar is. Maak het eerst vervormbaar.</translation>
+    </message>
+    <message>
+        <source>Less than two spacings of %1 lie between the planes: move them apart, or fill it with a smaller spacing.</source>
+        <translation>Minder dan twee afstanden van %1 liggen tussen de grensvlakken: zet ze verder uit elkaar, of vul met een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>--physics does one bend, twist, stretch or shear at a time; give one of them, and for more write a recipe.</source>
+        <translation>--physics doet één buiging, verdraaiing, rek of afschuiving tegelijk; geef er een van op, en schrijf voor meer een recept.</translation>
+    </message>
+    <message>
+        <source>--physics deforms one part or all of them; for some write a recipe.</source>
+        <translation>--physics vervormt één onderdeel of allemaal; schrijf voor enkele een recept.</translation>
+    </message>
+    <message>
+        <source>--physics needs to know what the part is made of: give --material, one of %1.</source>
+        <translation>--physics moet weten waar het onderdeel van gemaakt is: geef --material, een van %1.</translation>
+    </message>
+    <message>
+        <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
+        <translation>Er is geen materiaal &quot;%1&quot;; --material is een van %2.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>
@@ -1254,6 +1302,10 @@
     <message>
         <source>Scaling</source>
         <translation>Schalen</translation>
+    </message>
+    <message>
+        <source>%1 by physics</source>
+        <translation>%1 door fysica</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1738,10 @@
     <message>
         <source>Press it</source>
         <translation>Indrukken</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
+        <translation>%1 is nog bezig: wacht erop of annuleer met Esc, en vervorm dan opnieuw.</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +4571,10 @@ Gesimuleerd: %2, stap %3
         <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
         <translation>Bij het openen zijn alleen enkele onderdelen of een andere eenheid gekozen. Open in plaats daarvan alle bestanden samen, met Bestand &gt; Openen met keuzes.</translation>
     </message>
+    <message>
+        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
+        <translation>Met toegevoegde onderdelen wordt alles opnieuw geopend, in de vormen van de bestanden.</translation>
+    </message>
 </context>
 <context>
     <name>ImportPanel</name>
@@ -4720,6 +4780,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Go back to the part first: Esc.</source>
         <translation>Ga eerst terug naar het onderdeel: Esc.</translation>
+    </message>
+    <message>
+        <source>Arrows, PgUp, PgDn: place   Space: play, and it presses   %1: orbit</source>
+        <translation>Pijlen, PgUp, PgDn: neerzetten   Spatie: afspelen, dan drukt het   %1: draaien</translation>
     </message>
 </context>
 <context>
@@ -5230,6 +5294,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>no limit</source>
         <translation>geen grens</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>minder dan %1</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>Waar de getallen vandaan komen</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +5945,38 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>straight</source>
         <translation>recht</translation>
+    </message>
+    <message>
+        <source>Let go at the end</source>
+        <translation>Aan het eind loslaten</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>By physics</source>
+        <translation>Door fysica</translation>
+    </message>
+    <message>
+        <source>Exactly: all goes as the formula says. By physics: what lies beyond the planes is held by grips that go as the formula says, and the material between them finds its own shape</source>
+        <translation>Exact: alles gaat zoals de formule zegt. Door fysica: wat voorbij de grensvlakken ligt wordt vastgehouden door grepen die gaan zoals de formule zegt, en het materiaal ertussen vindt zijn eigen vorm</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Hoe</translation>
+    </message>
+    <message>
+        <source>Time it takes</source>
+        <translation>Duur</translation>
+    </message>
+    <message>
+        <source>Of the way of the grips; material that flows resists less when it is slow</source>
+        <translation>Van de weg van de grepen; materiaal dat vloeit biedt minder weerstand als het langzaam gaat</translation>
+    </message>
+    <message>
+        <source>The grip that has moved most opens, so that elastic material springs back</source>
+        <translation>De greep die het meest bewogen heeft gaat open, zodat elastisch materiaal terugveert</translation>
     </message>
 </context>
 <context>
@@ -6819,6 +6923,18 @@ Gesimuleerd: %2, stap %3
         <source>how the parts of start state %1 were deformed</source>
         <translation>hoe de onderdelen van begintoestand %1 zijn vervormd</translation>
     </message>
+    <message>
+        <source>Nothing was opened; the file is damaged or far too large.</source>
+        <translation>Er is niets geopend; het bestand is beschadigd of veel te groot.</translation>
+    </message>
+    <message>
+        <source>Nothing was opened; open a copy of the project, or the part that it was made from.</source>
+        <translation>Er is niets geopend; open een kopie van het project, of het onderdeel waaruit het is gemaakt.</translation>
+    </message>
+    <message>
+        <source>the project asks for more memory than there is.</source>
+        <translation>het project vraagt meer geheugen dan er is.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectKeeper</name>
@@ -7682,6 +7798,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>must have one item for each object</source>
         <translation>moet voor elk object één onderdeel hebben</translation>
+    </message>
+    <message>
+        <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
+        <translation>kan niet door fysica, omdat grepen de uiteinden niet veranderen; zeg het in &quot;deform&quot;.</translation>
     </message>
 </context>
 <context>
@@ -9126,6 +9246,10 @@ Gesimuleerd: %2, stap %3
         <source>finding the faces again</source>
         <translation>vlakken worden teruggevonden</translation>
     </message>
+    <message>
+        <source>moving the grips</source>
+        <translation>de grepen bewegen</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -10358,6 +10482,13 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>BOTTOM</source>
         <translation>ONDER</translation>
+    </message>
+</context>
+<context>
+    <name>ViewHand</name>
+    <message>
+        <source>What is seen here is not the present: Esc returns to it. To go on from an earlier moment, press Branch here beside the timeline.</source>
+        <translation>Wat hier te zien is, is niet het heden: Esc keert ernaar terug. Druk op Hier vertakken naast de tijdlijn om vanaf een eerder moment verder te gaan.</translation>
     </message>
 </context>
 <context>
