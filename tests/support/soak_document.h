@@ -82,17 +82,24 @@ public:
         look();
     }
 
-    /// Time goes on by a frame, or by as many short steps as a window has time for. @return whether it may go on
+    /// Time goes on by a frame, or by as many short steps as a window has time for. @return whether it may go on: a person gives up
+    /// what takes too long
     bool step()
     {
         const int most = m_now->integrator == Integrator::implicitEuler ? 12 : 100;
         const double begin = m_simulation.time();
-        for (int n = 0; n < most && m_simulation.time() < begin + frameTime - 1e-9 && m_simulation.health().ok; ++n)
+        int steps = 0;
+        for (; steps < most && m_simulation.time() < begin + frameTime - 1e-9 && m_simulation.health().ok; ++steps)
             m_simulation.step();
         m_simulated += std::max(0.0, m_simulation.time() - begin);
         look();
-        return m_simulation.health().ok;
+        m_effort += static_cast<double>(m_now->objects) * steps * (1 + m_now->solverIterations);
+        return m_simulation.health().ok && !isTooLong();
     }
+
+    /// The gesture, in steps and iterations of objects: the same on any machine.
+    bool isTooLong() const { return m_effort > 4e6; }
+    void forgetEffort() { m_effort = 0; }
 
     /// Puts the part where there is balance.
     void findBalance()
@@ -287,6 +294,7 @@ private:
     FramePointer m_frame;
     MomentPointer m_moment;
     double m_simulated = 0;
+    double m_effort = 0;
 };
 
 } // namespace knead::soak

@@ -121,6 +121,13 @@ private:
             undo();
             return "undo of what was stopped";
         }
+        if (m_document.isTooLong() && m_random.chance(70)) {
+            m_document.forgetEffort();
+            m_findings.count("given up");
+            undo();
+            return "undo of what took too long";
+        }
+        m_document.forgetEffort();
         switch (m_random.below(60)) {
         case 0:
         case 1:
