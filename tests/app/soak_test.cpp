@@ -1,4 +1,8 @@
+// Qt's macro is a name of TBB's, too, and comes with the precompiled headers.
+#pragma push_macro("emit")
+#undef emit
 #include "support/thread_limit.h"
+#pragma pop_macro("emit")
 // Hours of a hand at random, in pieces: what was done is undone, saved, exported, and comes to the same bits again.
 #include "app/cad_program.h"
 #include "io/importer.h"
