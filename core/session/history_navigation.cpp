@@ -1,5 +1,6 @@
 #include "core/session/history_navigation.h"
 
+#include "core/session/sculpting.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 
@@ -13,15 +14,17 @@ namespace knead {
 
 namespace {
 
-/// Takes away what the entry put there and would have taken away again at its end, as the fingers of a stroke and the other hand:
-/// nobody holds them where another branch begins.
+/// Takes away what a stroke of the entry put there and would have taken away again at its end, its fingers and the other hand: nobody
+/// holds them where another branch begins. What a recipe would have taken away stays, as the recipe goes on.
 /// @param begin of the entry
 /// @param rest of its commands
 void letGo(Simulation& simulation, const Snapshot& begin, std::span<const RecordedCommand> rest)
 {
     const std::shared_ptr<const Snapshot> now = simulation.snapshot();
-    const auto isNew = [](const auto& ids, const auto& before, auto id) {
-        return std::ranges::find(ids, id) != ids.end() && std::ranges::find(before, id) == before.end();
+    const auto isHand = [](const auto& id, const auto& ids, const auto& before, const auto& named) {
+        const auto found = std::ranges::find(ids, id);
+        return found != ids.end() && std::ranges::find(before, id) == before.end() &&
+               isNameOfStroke(named[static_cast<std::size_t>(found - ids.begin())].name);
     };
     const auto toolsOf = [](const Snapshot& snapshot) {
         std::vector<ToolId> tools;
@@ -34,8 +37,8 @@ void letGo(Simulation& simulation, const Snapshot& begin, std::span<const Record
             break; // what comes after it is about others
         const auto* tool = std::get_if<RemoveManipulator>(&recorded.command);
         const auto* fixture = std::get_if<RemoveFixture>(&recorded.command);
-        if ((tool != nullptr && isNew(toolsOf(*now), toolsOf(begin), tool->tool)) ||
-            (fixture != nullptr && isNew(now->fixtureIds, begin.fixtureIds, fixture->fixture)))
+        if ((tool != nullptr && isHand(tool->tool, toolsOf(*now), toolsOf(begin), now->tools)) ||
+            (fixture != nullptr && isHand(fixture->fixture, now->fixtureIds, begin.fixtureIds, now->fixtures)))
             simulation.post(recorded.command);
     }
     simulation.applyCommands();
