@@ -74,6 +74,9 @@ private slots:
     void initTestCase()
     {
         m_services = fileServices();
+        // Hundreds of files: without a trial in a process of its own before each, see cad_process_test.
+        m_services.projects.read = readProject;
+        m_services.projects.rescue = rescueProject;
         m_project = pressedPart(m_shop.path("bar.stl"), 0.005);
         m_project.panels["fixtures"] = fixtureMemory;
         writeProject(path("sound.knead"), packed(m_project));

@@ -1,4 +1,6 @@
 // knead fields: what other programs take up of what was done to a part.
+#include "app/cad_process.h"
+#include "app/cad_program.h"
 #include "app/opened_shape.h"
 #include "io/fields/field_reader.h"
 #include "io/project/packing.h"
@@ -83,6 +85,7 @@ class FieldsCommandTest : public QObject {
 private slots:
     void initTestCase()
     {
+        setCadProgram(cadProgramBeside(KNEAD_PROGRAM));
         const Project project = packed(pressedPart(bar, spacing));
         m_box = project.model->parts[0].box;
         writeProject(m_shop.path("bar.knead"), project);
