@@ -302,9 +302,10 @@ private slots:
         simulation.post(AddFixture{{"Vice", 0, {2, 3}}});
         for (int i = 0; i < 20; ++i)
             simulation.step();
-        for (const ToolState& tool : simulation.snapshot()->tools) // the block and the vice as a recipe does
+        const std::shared_ptr<const Snapshot> all = simulation.snapshot();
+        for (const ToolState& tool : all->tools) // the block and the vice as a recipe does
             simulation.post(RemoveManipulator{tool.id});
-        for (const FixtureId fixture : simulation.snapshot()->fixtureIds)
+        for (const FixtureId fixture : all->fixtureIds)
             simulation.post(RemoveFixture{fixture});
         simulation.step();
         const Gesture stroke = endGesture(simulation);
