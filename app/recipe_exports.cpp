@@ -33,12 +33,11 @@ std::optional<TriangleMesh> crackedSurface(const PartToExport& part, TaskControl
     whole->render = renderMesh(whole->mesh);
     whole->aggregate = part.aggregate;
     whole->skin.emplace(*part.aggregate, whole->mesh.vertices, control);
-    whole->fillings = newFillings();
     auto snapshot = std::make_shared<Snapshot>();
     std::vector<Vec3> positions = part.aggregate->lattice.positions();
     std::ranges::transform(positions, part.displacements, positions.begin(), std::plus<>());
     snapshot->bodies.push_back({.positions = std::move(positions), .aggregate = part.aggregate, .broken = part.broken});
-    const FramePointer frame = prepareFrame({whole}, std::move(snapshot), nullptr);
+    const FramePointer frame = prepareFrame({withNewFillings(whole)}, std::move(snapshot), nullptr);
     if (!frame->filled[0]->whole)
         return std::nullopt;
     TriangleMesh mesh = frame->filled[0]->mesh;

@@ -186,8 +186,7 @@ std::shared_ptr<const FilledBody> filledBody(const Model& model, std::size_t ind
     TaskPortion skinning(control, 0.25, 1);
     body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
     body->surfaceObjects = surfaceObjects(*body->aggregate);
-    body->fillings = newFillings();
-    return body;
+    return withNewFillings(body);
 }
 
 Color faceColor(const Part& part, std::uint32_t face)

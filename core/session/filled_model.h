@@ -24,8 +24,8 @@ namespace knead {
 class Fillings;
 
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
-/// between threads.
-struct FilledBody {
+/// between threads. Those that the functions here return keep the fillings of the body with them.
+struct FilledBody : std::enable_shared_from_this<FilledBody> {
     std::size_t part = 0; ///< index into Model::parts
     std::string name;     ///< unique in the document
     Color color;
@@ -34,11 +34,13 @@ struct FilledBody {
     std::shared_ptr<const Aggregate> aggregate;
     std::optional<Skin> skin;                ///< of mesh.vertices
     std::vector<ObjectIndex> surfaceObjects; ///< those a person can see
-    std::shared_ptr<Fillings> fillings;      ///< the same body as it was filled at other times, shared by all of them
+    std::weak_ptr<Fillings>
+        fillings; ///< the same body as it was filled at other times, shared by all of them, which it keeps
     std::shared_ptr<const FilledBody> whole; ///< before it came apart or was cut into; null: neither
 };
 
-std::shared_ptr<Fillings> newFillings();                             ///< none yet
+/// The body, with fillings that it has none of yet.
+std::shared_ptr<const FilledBody> withNewFillings(const std::shared_ptr<FilledBody>& body);
 std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate); ///< those a person can see
 
 /// The body with the objects of another filling of it: its surface is the same. Any thread; takes as long as a skin where that
@@ -61,7 +63,8 @@ std::shared_ptr<const FilledBody> tornLately(const std::shared_ptr<const FilledB
 /// same one filled by another command, have not.
 inline bool haveSameSurface(const FilledBody& one, const FilledBody& other)
 {
-    return one.part == other.part && one.fillings == other.fillings && (&one == &other || (!one.whole && !other.whole));
+    const bool isSameBody = !one.fillings.owner_before(other.fillings) && !other.fillings.owner_before(one.fillings);
+    return one.part == other.part && isSameBody && (&one == &other || (!one.whole && !other.whole));
 }
 
 /// The surface of a body at one moment.

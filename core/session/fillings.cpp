@@ -18,7 +18,7 @@
 
 namespace knead {
 
-/// The last ones asked for. Any thread.
+/// The last ones asked for. Any thread. It keeps bodies, which know of it and do not keep it: else none of them would ever go.
 class Fillings {
 public:
     std::shared_ptr<const FilledBody> find(const std::shared_ptr<const Aggregate>& aggregate)
@@ -78,6 +78,22 @@ private:
 
 namespace {
 
+/// What is handed out: the body, and its fillings for as long.
+using BodyWithFillings = std::pair<std::shared_ptr<const FilledBody>, std::shared_ptr<Fillings>>;
+
+/// Those of a body that somebody has alone are gone: nothing is kept then.
+std::shared_ptr<Fillings> fillingsOf(const FilledBody& body)
+{
+    std::shared_ptr<Fillings> fillings = body.fillings.lock();
+    return fillings ? fillings : std::make_shared<Fillings>();
+}
+
+std::shared_ptr<const FilledBody> withFillings(const std::shared_ptr<const FilledBody>& body)
+{
+    const auto kept = std::make_shared<const BodyWithFillings>(body->shared_from_this(), body->fillings.lock());
+    return {kept, kept->first.get()};
+}
+
 std::vector<BrokenConnection> brokenWithin(const Aggregate& aggregate, const Pieces& pieces,
                                            std::span<const BrokenConnection> broken)
 {
@@ -103,7 +119,7 @@ std::shared_ptr<const FilledBody> alongWhatHolds(const std::shared_ptr<const Fil
         Skin::ofPlacesWhenFilled(extract(aggregate, carriers[0], isBroken), {places.begin(), places.end()})};
     auto body = std::make_shared<FilledBody>(*whole);
     body->skin.emplace(Skin::joined(skins, carriers));
-    body->whole = whole;
+    body->whole = whole->shared_from_this();
     return body;
 }
 
@@ -119,9 +135,11 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
     return objects;
 }
 
-std::shared_ptr<Fillings> newFillings()
+std::shared_ptr<const FilledBody> withNewFillings(const std::shared_ptr<FilledBody>& body)
 {
-    return std::make_shared<Fillings>();
+    const auto fillings = std::make_shared<Fillings>();
+    body->fillings = fillings;
+    return withFillings(body);
 }
 
 std::shared_ptr<const FilledBody> filledAs(const std::shared_ptr<const FilledBody>& body,
@@ -130,15 +148,16 @@ std::shared_ptr<const FilledBody> filledAs(const std::shared_ptr<const FilledBod
     if (body->whole)
         return filledAs(body->whole, aggregate);
     if (body->aggregate == aggregate)
-        return body;
-    if (auto known = body->fillings->find(aggregate))
-        return known;
+        return withFillings(body);
+    const std::shared_ptr<Fillings> fillings = fillingsOf(*body);
+    if (const auto known = fillings->find(aggregate))
+        return withFillings(known);
     auto filled = std::make_shared<FilledBody>(*body);
     filled->aggregate = aggregate;
     filled->skin.emplace(*aggregate, filled->mesh.vertices);
     filled->surfaceObjects = surfaceObjects(*aggregate);
-    body->fillings->add(filled);
-    return filled;
+    fillings->add(filled);
+    return withFillings(filled);
 }
 
 std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>& filled,
@@ -148,26 +167,31 @@ std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>
     const std::shared_ptr<const Aggregate>& aggregate = whole->aggregate;
     const bool wasInPieces = aggregate->former && aggregate->former->isInPieces();
     if ((!broken || broken->empty()) && !wasInPieces)
-        return whole;
+        return withFillings(whole);
+    const std::shared_ptr<Fillings> fillings = fillingsOf(*whole);
     const std::span<const BrokenConnection> cracks = broken ? *broken : std::span<const BrokenConnection>();
-    if (const auto known = whole->fillings->findTorn(
-            [&](const auto& torn) { return torn.aggregate == aggregate && torn.broken == broken; }))
-        return known->body;
+    if (const auto known =
+            fillings->findTorn([&](const auto& torn) { return torn.aggregate == aggregate && torn.broken == broken; }))
+        return withFillings(known->body);
     Pieces pieces = findPieces(*aggregate, cracks);
     std::vector<BrokenConnection> within = brokenWithin(*aggregate, pieces, cracks);
     const auto begin = std::chrono::steady_clock::now();
-    auto torn = whole->fillings->findTorn([&](const auto& other) {
+    auto torn = fillings->findTorn([&](const auto& other) {
         return other.aggregate == aggregate && other.pieceOfObject == pieces.ofObject && other.within == within;
     });
     if (!torn) {
-        torn = {.aggregate = aggregate, .broken = {}, .pieceOfObject = {}, .within = std::move(within), .body = whole};
+        torn = {.aggregate = aggregate,
+                .broken = {},
+                .pieceOfObject = {},
+                .within = std::move(within),
+                .body = whole->shared_from_this()};
         torn->pieceOfObject = std::move(pieces.ofObject);
         if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, cracks) : std::nullopt) {
             auto body = std::make_shared<FilledBody>(*whole);
             body->mesh = std::move(surface->mesh);
             body->render = renderMesh(body->mesh);
             body->skin.emplace(std::move(surface->skin));
-            body->whole = whole;
+            body->whole = whole->shared_from_this();
             torn->body = std::move(body);
         } else if (pieces.count > findPieces(*aggregate).count || torn->within.size() >= leastSeenBroken) {
             torn->body = alongWhatHolds(whole, cracks);
@@ -176,8 +200,8 @@ std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>
         torn->duration = torn->end - begin;
     }
     torn->broken = broken;
-    whole->fillings->add(*torn);
-    return torn->body;
+    fillings->add(*torn);
+    return withFillings(torn->body);
 }
 
 std::shared_ptr<const FilledBody> tornLately(const std::shared_ptr<const FilledBody>& filled,
@@ -188,19 +212,20 @@ std::shared_ptr<const FilledBody> tornLately(const std::shared_ptr<const FilledB
     const std::shared_ptr<const FilledBody>& whole = filled->whole ? filled->whole : filled;
     if (!broken || broken->empty())
         return nullptr;
+    const std::shared_ptr<Fillings> fillings = fillingsOf(*whole);
     const Pieces pieces = findPieces(*whole->aggregate, *broken);
     const std::vector<BrokenConnection> within = brokenWithin(*whole->aggregate, pieces, *broken);
     const auto hasSamePieces = [&](const auto& other) {
         return other.aggregate == whole->aggregate && other.pieceOfObject == pieces.ofObject;
     };
-    if (whole->fillings->findTorn([&](const auto& other) { return hasSamePieces(other) && other.within == within; }))
+    if (fillings->findTorn([&](const auto& other) { return hasSamePieces(other) && other.within == within; }))
         return nullptr;
-    const auto torn = whole->fillings->findTorn([&](const auto& other) {
+    const auto torn = fillings->findTorn([&](const auto& other) {
         return hasSamePieces(other) && std::ranges::includes(within, other.within, {}, idOf, idOf);
     });
     if (!torn || std::chrono::steady_clock::now() > torn->end + rests * torn->duration)
         return nullptr;
-    return torn->body;
+    return withFillings(torn->body);
 }
 
 } // namespace knead

@@ -32,6 +32,13 @@ double resident()
     return inUse * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+/// What is allocated, whatever the rest of the process takes [bytes].
+double allocated()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
 /// Of the line that fits points best.
 double slopeOf(const std::vector<std::pair<double, double>>& points)
 {
@@ -73,7 +80,7 @@ void say(const Piece& piece, const Outcome& outcome, double seconds)
         add(name, value);
     for (const auto& [name, count] : outcome.findings.counts)
         add(name, count);
-    qInfo("%s; resident %.1f MB", text.c_str(), 1e-6 * resident());
+    qInfo("%s; resident %.1f MB, allocated %.1f MB", text.c_str(), 1e-6 * resident(), 1e-6 * allocated());
     for (const std::string& fault : outcome.findings.faults)
         qInfo("FAULT in seed %d: %s", static_cast<int>(piece.seed), fault.c_str());
 }

@@ -6,7 +6,7 @@
 #include "core/geometry/refine.h"
 #include "core/session/frame.h"
 #include "core/session/playback_cache.h"
-#include "support/scenes.h"
+#include "support/material_scenes.h"
 
 #include <QTest>
 
@@ -31,8 +31,7 @@ struct Bar {
         shown->render = renderMesh(shown->mesh);
         shown->aggregate = filled.aggregate;
         shown->skin.emplace(*filled.aggregate, shown->mesh.vertices);
-        shown->fillings = newFillings();
-        bodies.push_back(std::move(shown));
+        bodies.push_back(withNewFillings(shown));
         scene.bodies.push_back(std::move(filled));
     }
 
@@ -109,6 +108,30 @@ class CrackGapsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Neither whole nor in pieces does a body stay in memory when nobody has it any more.
+    void aBodyThatNobodyHasIsGone()
+    {
+        std::weak_ptr<const Aggregate> aggregate;
+        std::weak_ptr<const Aggregate> other;
+        {
+            Bar bar(scenes::clay());
+            aggregate = bar.bodies[0]->aggregate;
+            Simulation simulation(bar.scene);
+            bar.scene = {};
+            simulation.post(Cut{.body = 0, .point = Vec3(0.3e-3, 0, 0), .normal = Vec3::UnitX()});
+            simulation.applyCommands();
+            const FramePointer cut = prepareFrame(bar.bodies, simulation.snapshot(), nullptr);
+            QVERIFY(cut->filled[0]->whole);
+            const auto again = std::make_shared<const Aggregate>(*bar.bodies[0]->aggregate);
+            other = again;
+            const auto filled = filledAs(cut->filled[0], again);
+            bar.bodies = {filledAs(filled, bar.bodies[0]->aggregate)}; // as when one goes back
+            QVERIFY(filledAs(bar.bodies[0], again) == filled);
+            QVERIFY(prepareFrame(bar.bodies, simulation.snapshot(), nullptr)->filled == cut->filled);
+        }
+        QVERIFY(aggregate.expired() && other.expired());
+    }
+
     void noSkinSpansABarThatIsPulledInTwo_data()
     {
         QTest::addColumn<Material>("material");
