@@ -189,6 +189,10 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
                     part.reason.empty() ? Message("Export", "it came as a mesh, which has no smooth faces.")
                                         : part.reason,
                     ready);
+        if (!isInPlace(*ready.map))
+            noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
+        else if (!part.reason.empty()) // of what has come apart, in its present place already
+            noteCrossings(now, control, report);
         ready.skin = std::move(now);
         return ready;
     }

@@ -176,6 +176,15 @@ bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const TriangleMe
     return crossings.count <= crossings.some.size() && depthOf(now, crossings) < std::pow(0.35, halvings) * first;
 }
 
+void sayCrossing(const Vec3& place, PartExportReport& report)
+{
+    report.crossesItself = true;
+    report.fold = place;
+    report.remarks.push_back(
+        Message("Export", "its surface passes through itself near %1; other programs may refuse that.")
+            .with(placeWords(place)));
+}
+
 } // namespace
 
 TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh)
@@ -204,11 +213,15 @@ void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2
             return;
         found.where = real->where;
     }
-    report.crossesItself = true;
-    report.fold = found.where.center();
-    report.remarks.push_back(
-        Message("Export", "its surface passes through itself near %1; other programs may refuse that.")
-            .with(placeWords(found.where.center())));
+    sayCrossing(found.where.center(), report);
+}
+
+void noteCrossings(const TriangleMesh& now, TaskControl& control, PartExportReport& report)
+{
+    const Crossings found = findCrossings(now, control, mostCrossings);
+    for (const Crossings& place : placesOf(now, found))
+        if (depthOf(now, place) > report.tolerance)
+            return sayCrossing(place.where.center(), report);
 }
 
 void noteFold(const TriangleMesh& rest, const TriangleMesh& now, PartExportReport& report)

@@ -17,6 +17,10 @@ TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh);
 void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2>& rest, const TriangleMesh& now,
                    TaskControl& control, PartExportReport& report);
 
+/// The same of a surface of flat faces in its present place, of which no other is known: by more than the tolerance, within which sides
+/// of a crack lie on each other.
+void noteCrossings(const TriangleMesh& now, TaskControl& control, PartExportReport& report);
+
 /// Remarks on where a surface is folded: faces follow a fold, too, as long as they make a sound solid, which they do where material has
 /// come to lie on itself. Why a part has flat faces begins with that.
 /// @param now where the map takes `rest`

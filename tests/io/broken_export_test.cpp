@@ -77,6 +77,7 @@ private slots:
     void partsThatAKnifeIsInKeepTheirFaces();
     void partsThatGapeWhereTheyToreAreFlat();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
+    void piecesThatPassThroughThemselvesAreNotSound();
 };
 
 void BrokenExportTest::tornPartsComeAsClosedPieces()
@@ -381,6 +382,53 @@ void BrokenExportTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()
     QVERIFY2(report.reason.english().find("folded") != std::string::npos, report.reason.english().c_str());
     QVERIFY2(report.remarks.front().english().find("is cracked") != std::string::npos,
              report.remarks.front().english().c_str());
+}
+
+/// A roll of more than a turn, the end of which is in its beginning.
+class Roll final : public maps::PointMap {
+public:
+    explicit Roll(const Box& box)
+        : m_box(box)
+    {
+    }
+    double featureSize() const override { return 0.05 * m_box.sizes().x(); }
+
+protected:
+    Vec3 place(const Vec3& point) const override
+    {
+        const Vec3 share = (point - m_box.min()).cwiseQuotient(m_box.sizes());
+        const double turn = 7.5 * share.x();
+        const double radius = (0.18 + 0.03 * share.x() - 0.125 * share.z()) * m_box.sizes().x();
+        return {radius * std::sin(turn), point.y(), -radius * std::cos(turn)};
+    }
+
+private:
+    Box m_box;
+};
+
+/// Rolled up by more than a turn, without its tip; and the same as a part that came as a mesh.
+void BrokenExportTest::piecesThatPassThroughThemselvesAreNotSound()
+{
+    Model model = example("bar.step");
+    const Box box = boxOf(model);
+    const Roll roll(box);
+    constexpr double cells = 28;
+    ExportJob job = jobOf(model, &roll, cells);
+    const double tip = box.min().x() + 0.1 * box.sizes().x();
+    job.parts.front().broken =
+        brokenAcross(*job.parts.front().aggregate, [&](const Vec3& at) { return at.x() < tip ? 1.0 : 0.0; });
+    model.parts.front().exact.reset();
+    for (const ExportJob& each :
+         {withPieces(std::move(job), 800, TaskControl::none()), jobOf(model, &roll, cells / 2)}) {
+        const ExportReport report = exportCad(FormatKind::Step, each, TaskControl::none()).report;
+        std::size_t crossing = 0;
+        for (const PartExportReport& part : report.parts) {
+            QCOMPARE(part.form, PartExportReport::Form::faceted);
+            QVERIFY(part.crossesItself == part.fold.has_value() && part.isSound() != part.crossesItself);
+            crossing += part.crossesItself ? 1 : 0;
+        }
+        QCOMPARE(crossing, std::size_t{1});
+    }
 }
 
 QTEST_GUILESS_MAIN(BrokenExportTest)
