@@ -108,7 +108,7 @@ private slots:
         const std::uint64_t pieces = numberFrom("KNEAD_SOAK_PIECES", loadOf(2, 8));
         const auto duration = static_cast<double>(numberFrom("KNEAD_SOAK_SECONDS", loadOf(2, 30)));
         const bool isWhole = qEnvironmentVariableIsSet("KNEAD_SOAK_SECONDS"); // by ./dev soak
-        const std::uint64_t again = loadOf(1, 4);                             // every so manieth piece is done twice
+        const std::uint64_t again = loadOf(2, 4);                             // every so manieth piece is done twice
         const QString folder = qEnvironmentVariable("KNEAD_SOAK_KEEP", m_folder.path());
         double simulated = 0;
         std::size_t faults = 0;

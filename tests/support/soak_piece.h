@@ -56,6 +56,15 @@ public:
 
     void run()
     {
+        goOn();
+        attempt([this] { return finish(); });
+    }
+
+    const Document& document() const { return m_document; }
+
+private:
+    void goOn()
+    {
         if (qEnvironmentVariableIsSet("KNEAD_SOAK_WORDS"))
             std::fprintf(stderr, "%s, %zu objects\n", m_document.content().model->file.c_str(),
                          m_document.now().objects);
@@ -63,15 +72,7 @@ public:
         for (int n = 0; n < m_piece.mostGestures && m_document.simulated() < m_piece.duration && idle < 200; ++n) {
             const double before = m_document.simulated();
             const auto begin = std::chrono::steady_clock::now();
-            std::string name = "?";
-            try {
-                name = somethingElse();
-            } catch (const Problem& problem) {
-                m_findings.count("told: " + problem.message().text());
-                name = std::string("told: ") + problem.what();
-            } catch (const std::exception& error) {
-                m_findings.fault(name + " threw: " + error.what());
-            }
+            const std::string name = attempt([this] { return somethingElse(); });
             idle = m_document.simulated() > before ? 0 : idle + 1;
             const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             m_findings.atMost("slowest [s]", took);
@@ -82,9 +83,33 @@ public:
         }
     }
 
-    const Document& document() const { return m_document; }
+    /// What the program tells is no fault; all else that is thrown is. @return what was done
+    template <typename Act>
+    std::string attempt(Act act)
+    {
+        try {
+            return act();
+        } catch (const Problem& problem) {
+            m_findings.count("told: " + problem.message().text());
+            return std::string("told: ") + problem.what();
+        } catch (const std::exception& error) {
+            m_findings.fault(std::string("thrown: ") + error.what());
+            return "fault";
+        }
+    }
 
-private:
+    /// What each piece has, however short it is.
+    std::string finish()
+    {
+        undo();
+        redo();
+        compare();
+        exportTriangles();
+        exportSmooth();
+        m_document.saveAndReopen(m_piece.folder + "/soak.knead");
+        return "the end";
+    }
+
     /// What happens, for who looks for something.
     void sayGesture(const std::string& name, double took) const
     {
