@@ -116,7 +116,7 @@ private slots:
         for (std::uint64_t seed = first; seed < first + pieces; ++seed) {
             Piece piece{.seed = seed,
                         .duration = duration,
-                        .mostGestures = isWhole ? std::numeric_limits<int>::max() : loadOf(25, 200),
+                        .mostGestures = isWhole ? static_cast<int>(12 * duration) : loadOf(25, 200),
                         .objects = isWhole ? 300.0 : loadOf(120.0, 300.0),
                         .folder = folder.toStdString()};
             qInfo("piece of seed %d", static_cast<int>(seed));

@@ -149,7 +149,8 @@ private:
         if (m_document.isTooLong() && m_random.chance(70)) {
             m_document.forgetEffort();
             m_findings.count("given up");
-            undo();
+            for (int n = 0; n < 4; ++n)
+                undo();
             return "undo of what took too long";
         }
         m_document.forgetEffort();
