@@ -38,7 +38,7 @@ KNEAD_INLINE void hyperelasticLawOfVector(const HyperelasticArguments& arguments
 {
     const Surroundings& a = arguments.at;
     const LaneBits chosen = (valuesOf(arguments.isRubber, i) > all(0)) & inside(i, a.begin, a.end);
-    const Lanes marks = chosen ? all(1) : all(0);
+    const Lanes marks = choose(chosen, all(1), all(0));
     if (!anyBeyond(marks, 0))
         return;
     const ChosenWriter write{i, chosen, !anyBeyond(1 - marks, 0)};
@@ -73,7 +73,7 @@ KNEAD_INLINE void hyperelasticLawOfVector(const HyperelasticArguments& arguments
         write(arguments.energy, numbers.volume * density - (0.25 * springs * a.spacing) * follows);
     }
     if (arguments.theta)
-        write(arguments.theta, g.volume > all(0) ? squeeze.theta : all(2 * flatDilatation));
+        write(arguments.theta, choose(g.volume > all(0), squeeze.theta, all(2 * flatDilatation)));
 
     // P = mu [(A' + beta I1) s F G - beta s b F G] + dW/dJ cof F, s = J^(-2/3).
     const Lanes shear = numbers.volume * numbers.shear;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/aggregate/lattice_directions.h"
+#include "core/kernels/lanes_impl.h"
 #include "core/kernels/lattice_kernels.h"
 
 #include <cstdint>
@@ -13,23 +14,6 @@ namespace knead::kernels::KNEAD_KERNEL_SET {
 
 namespace {
 
-#define KNEAD_INLINE inline __attribute__((always_inline))
-
-constexpr std::size_t lanes = 8;
-using Lanes = double __attribute__((vector_size(64)));
-using LaneBits = std::int64_t __attribute__((vector_size(64)));
-using UnsignedBits = std::uint64_t __attribute__((vector_size(64)));
-using HalfLaneBits = std::uint32_t __attribute__((vector_size(32), aligned(4), may_alias));
-using UnalignedLanes = double __attribute__((vector_size(64), aligned(8), may_alias));
-
-KNEAD_INLINE Lanes load(const double* from)
-{
-    return *reinterpret_cast<const UnalignedLanes*>(from);
-}
-KNEAD_INLINE void store(double* to, Lanes values)
-{
-    *reinterpret_cast<UnalignedLanes*>(to) = values;
-}
 KNEAD_INLINE void add(double* to, Lanes values)
 {
     store(to, load(to) + values);
@@ -38,22 +22,6 @@ KNEAD_INLINE void subtract(double* to, Lanes values)
 {
     store(to, load(to) - values);
 }
-KNEAD_INLINE Lanes all(double value)
-{
-    return Lanes{value, value, value, value, value, value, value, value};
-}
-KNEAD_INLINE Lanes squareRoot(Lanes values)
-{
-    Lanes roots;
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        roots[lane] = __builtin_sqrt(values[lane]);
-    return roots;
-}
-KNEAD_INLINE Lanes masked(Lanes values, LaneBits mask)
-{
-    return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(values) & mask);
-}
-
 // Keeps 1/|d| finite when two objects coincide; the force is then 0 since d is.
 constexpr double tinyLengthSquared = 1e-280;
 
@@ -61,17 +29,16 @@ constexpr double tinyLengthSquared = 1e-280;
 /// round alike everywhere (the C library picks among several versions by machine).
 /// ln x = e ln 2 + 2 atanh((m - 1) / (m + 1)), m in [~0.7, ~1.4).
 template <typename Bits, typename Real>
-KNEAD_INLINE Real naturalLogarithm(Real x)
+KNEAD_INLINE Real naturalLogarithm(const Real& x)
 {
     // Unsigned shifts and the 2^52 trick, since AVX2 has neither a signed 64-bit shift nor a conversion from 64-bit integers.
     constexpr auto rootHalf = __builtin_bit_cast(std::uint64_t, 0.70710678118654752);
     constexpr std::uint64_t bias = 1023;
     constexpr double twoTo52 = 4503599627370496.0;
-    const auto bits = __builtin_bit_cast(Bits, x);
+    const Bits bits = reinterpreted<std::uint64_t>(x);
     const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
-    const auto mantissa = __builtin_bit_cast(Real, bits - (biased << 52) + (bias << 52));
-    const Real exponent =
-        __builtin_bit_cast(Real, biased | __builtin_bit_cast(std::uint64_t, twoTo52)) - (twoTo52 + 1023);
+    const Real mantissa = reinterpreted<double>(bits - (biased << 52) + (bias << 52));
+    const Real exponent = reinterpreted<double>(biased | __builtin_bit_cast(std::uint64_t, twoTo52)) - (twoTo52 + 1023);
     const Real t = (mantissa - 1) / (mantissa + 1);
     const Real s = t * t;
     Real series = s * (1.0 / 21) + 1.0 / 19;
@@ -88,8 +55,8 @@ KNEAD_INLINE Lanes logarithm(Lanes x)
 /// Lanes whose object lies in begin .. end, the first one being `first`.
 KNEAD_INLINE LaneBits inside(std::size_t first, std::size_t begin, std::size_t end)
 {
-    const LaneBits lane{0, 1, 2, 3, 4, 5, 6, 7};
-    const LaneBits object = lane + static_cast<std::int64_t>(first);
+    LaneBits object;
+    count(static_cast<std::int64_t>(first), object);
     return (object >= static_cast<std::int64_t>(begin)) & (object < static_cast<std::int64_t>(end));
 }
 
@@ -273,7 +240,9 @@ KNEAD_INLINE void addShapeOfDirection(const Surroundings& a, std::size_t i, Unsi
 
 KNEAD_INLINE UnsignedBits behindOf(const Surroundings& a, std::size_t i)
 {
-    return __builtin_convertvector(*reinterpret_cast<const HalfLaneBits*>(a.hasBehind + i), UnsignedBits);
+    UnsignedBits behind;
+    widen(a.hasBehind + i, behind);
+    return behind;
 }
 
 KNEAD_INLINE ShapeSums shapeOfVector(const Surroundings& a, std::size_t i)
@@ -329,6 +298,18 @@ KNEAD_INLINE Lanes volumeOf(const Lanes (&f)[3][3], const Lanes (&cofactor)[3][3
     return f[0][0] * cofactor[0][0] + f[0][1] * cofactor[0][1] + f[0][2] * cofactor[0][2];
 }
 
+// Of lanes what lattice_kernels.h has of numbers.
+using knead::kernels::boundedVolumeRatio;
+KNEAD_INLINE Lanes boundedVolumeRatio(const Lanes& determinant)
+{
+    return larger(determinant, all(smallestVolumeRatio));
+}
+KNEAD_INLINE Lanes logarithmOfVolume(const Lanes& determinant)
+{
+    const Lanes below = choose(determinant < all(smallestVolumeRatio), determinant / smallestVolumeRatio - 1, all(0));
+    return logarithm(boundedVolumeRatio(determinant)) + below;
+}
+
 template <VectorPart part>
 KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i)
 {
@@ -342,12 +323,12 @@ KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i
     Lanes cofactor[3][3];
     findCofactors(f, cofactor);
     const Lanes determinant = volumeOf(f, cofactor);
-    const Lanes dilatation = logarithmOfVolume(determinant, logarithm) - load(a.restDilatation + i);
+    const Lanes dilatation = logarithmOfVolume(determinant) - load(a.restDilatation + i);
     // See volumetricStrain(): g g' / ratio, g' = 1 / (1 - theta)^2 where g = theta / (1 - theta).
     const Lanes bulk = load(arguments.bulk + i);
     const LaneBits softens = (bulk < all(0)) & (dilatation < all(0));
-    const Lanes damped = softens ? 1 / (1 - dilatation) : all(1);
-    const Lanes slope = (softens & (determinant < all(0))) ? all(0) : damped * damped * damped;
+    const Lanes damped = choose(softens, 1 / (1 - dilatation), all(1));
+    const Lanes slope = choose(softens & (determinant < all(0)), all(0), damped * damped * damped);
     const Lanes p = bulk * dilatation * slope * inverseSpacing / boundedVolumeRatio(determinant);
     const Writer write{a, i, part == VectorPart::some};
     write(arguments.theta, dilatation);

@@ -83,19 +83,18 @@ struct AdvanceReport {
 /// a force that stays the gradient of an energy.
 inline constexpr double smallestVolumeRatio = 0.1;
 
-/// det F, or what counts for it where it is less. For numbers and for vectors of them, as the next.
-template <typename Real>
-[[gnu::always_inline]] inline Real boundedVolumeRatio(const Real& determinant)
+/// det F, or what counts for it where it is less.
+[[gnu::always_inline]] inline double boundedVolumeRatio(double determinant)
 {
     return determinant > smallestVolumeRatio ? determinant : smallestVolumeRatio;
 }
 
 /// ln det F, with its tangent below smallestVolumeRatio.
 /// @param logarithm of positive numbers
-template <typename Real, typename Logarithm>
-[[gnu::always_inline]] inline Real logarithmOfVolume(const Real& determinant, const Logarithm& logarithm)
+template <typename Logarithm>
+[[gnu::always_inline]] inline double logarithmOfVolume(double determinant, const Logarithm& logarithm)
 {
-    const Real below = determinant < smallestVolumeRatio ? determinant / smallestVolumeRatio - 1 : 0.0;
+    const double below = determinant < smallestVolumeRatio ? determinant / smallestVolumeRatio - 1 : 0.0;
     return logarithm(boundedVolumeRatio(determinant)) + below;
 }
 

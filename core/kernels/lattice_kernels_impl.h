@@ -60,8 +60,8 @@ AdvanceReport advance(const AdvanceArguments& a)
             squared += after * after;
         }
         // Bit patterns of numbers without a sign compare like the numbers, with infinities and what is no number on top.
-        const LaneBits bits = reinterpret_cast<LaneBits>(squared) & INT64_MAX;
-        largest = bits > largest ? bits : largest;
+        const LaneBits bits = reinterpreted<std::int64_t>(squared) & INT64_MAX;
+        largest = choose(bits > largest, bits, largest);
     }
     AdvanceReport report{0, 0};
     std::int64_t top = 0;

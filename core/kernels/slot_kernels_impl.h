@@ -10,9 +10,9 @@ namespace knead::kernels::KNEAD_KERNEL_SET {
 namespace {
 
 using Eight = float __attribute__((vector_size(32)));
-using EightAnywhere = float __attribute__((vector_size(32), aligned(4), may_alias));
+using EightAnywhere __attribute__((vector_size(32), aligned(4), may_alias)) = float;
 using Four = float __attribute__((vector_size(16)));
-using FourAnywhere = float __attribute__((vector_size(16), aligned(4), may_alias));
+using FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias)) = float;
 
 [[gnu::always_inline]] inline Eight load8(const float* from)
 {
@@ -189,7 +189,7 @@ double slotProduct(std::size_t count, const SlotBlock* blocks, const SlotTangent
 }
 
 using FourDouble = double __attribute__((vector_size(32)));
-using FourDoubleAnywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
+using FourDoubleAnywhere __attribute__((vector_size(32), aligned(8), may_alias)) = double;
 
 [[gnu::always_inline]] inline FourDouble wide4(const float* from)
 {

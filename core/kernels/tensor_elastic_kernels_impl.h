@@ -8,22 +8,6 @@ namespace knead::kernels::KNEAD_KERNEL_SET {
 
 namespace {
 
-KNEAD_INLINE Lanes larger(Lanes a, Lanes b)
-{
-    return a > b ? a : b;
-}
-KNEAD_INLINE Lanes smaller(Lanes a, Lanes b)
-{
-    return a < b ? a : b;
-}
-KNEAD_INLINE bool anyBeyond(Lanes values, double limit)
-{
-    std::int64_t beyond = 0;
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        beyond |= values[lane] > limit ? 1 : 0;
-    return beyond != 0;
-}
-
 /// e^x to about 2 ulp for |x| < 700, from operations that round alike everywhere: 2^n e^r with n the nearest integer to x / ln 2.
 KNEAD_INLINE Lanes exponential(Lanes x)
 {
@@ -38,9 +22,9 @@ KNEAD_INLINE Lanes exponential(Lanes x)
         1.0 / 120,       1.0 / 24,       1.0 / 6,       0.5,          1.0,         1.0};
     for (const double coefficient : inverseFactorials)
         series = series * r + coefficient;
-    const auto power = (__builtin_bit_cast(UnsignedBits, shifted) - __builtin_bit_cast(std::uint64_t, shift) + 1023)
-                       << 52;
-    return series * __builtin_bit_cast(Lanes, power);
+    const UnsignedBits power = (reinterpreted<std::uint64_t>(shifted) - __builtin_bit_cast(std::uint64_t, shift) + 1023)
+                               << 52;
+    return series * reinterpreted<double>(power);
 }
 
 /// A symmetric matrix: 00 11 22 01 02 12.
@@ -105,7 +89,7 @@ KNEAD_INLINE Deformation deformationOf(const Surroundings& a, std::size_t i)
     findGradient(shape.m, inverse, all(1 / a.spacing), g.f);
     for (int c = 0; c < 3; ++c)
         for (int column = 0; column < 3; ++column)
-            g.f[column][c] = g.isFlat ? all(c == column ? 1 : 0) : g.f[column][c];
+            g.f[column][c] = choose(g.isFlat, all(c == column ? 1 : 0), g.f[column][c]);
     findCofactors(g.f, g.cofactor);
     g.volume = volumeOf(g.f, g.cofactor);
     return g;
@@ -127,7 +111,7 @@ KNEAD_INLINE Gradient gradientOf(const Surroundings& a, std::size_t i)
     const Lanes logarithmic = logarithm(g.ratio);
     const Lanes part = (g.volume - leastVolumeRatio) * (1 / (wholeVolumeRatio - leastVolumeRatio));
     g.weight = smaller(larger(part, all(0)), all(1));
-    g.theta = g.isFlat ? all(0) : logarithmic - load(a.restDilatation + i);
+    g.theta = choose(g.isFlat, all(0), logarithmic - load(a.restDilatation + i));
     if constexpr (withScale)
         g.scale = exponential(logarithmic * (-2.0 / 3));
     return g;
@@ -204,7 +188,7 @@ KNEAD_INLINE Lanes valuesOf(const ObjectNumber& number, std::size_t i)
 KNEAD_INLINE LaneNumbers numbersOf(const TensorLawNumbers& a, std::size_t i, Lanes theta)
 {
     const Lanes tension = valuesOf(a.tensionShare, i);
-    return {load(a.volume + i), valuesOf(a.shear, i), valuesOf(a.bulk, i) * (theta > all(0) ? tension : all(1))};
+    return {load(a.volume + i), valuesOf(a.shear, i), valuesOf(a.bulk, i) * choose(theta > all(0), tension, all(1))};
 }
 
 } // namespace

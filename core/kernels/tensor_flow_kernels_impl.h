@@ -21,10 +21,10 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) == 0)
             return;
-        const Lanes affine = g.isFlat ? all(0) : naturalStretch(excess.rho[d], excess.isSmall);
+        const Lanes affine = choose(g.isFlat, all(0), naturalStretch(excess.rho[d], excess.isSmall));
         write(flow.affine[d], affine);
         const Lanes shape = affine - volume * (1.0 / 3);
-        const Lanes follows = g.isFlat ? all(0) : shape * shape;
+        const Lanes follows = choose(g.isFlat, all(0), shape * shape);
         if ((a.forward >> d & 1U) != 0) {
             const Lanes k = squaredStep<d> * load(a.stiffness[d] + i);
             const Lanes strain =
@@ -90,7 +90,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
         deviator.m[n] -= e.third;
     Lanes squared{};
     for (int n = 0; n < 6; ++n) {
-        deviator.m[n] = g.isFlat ? all(0) : shear * deviator.m[n];
+        deviator.m[n] = choose(g.isFlat, all(0), shear * deviator.m[n]);
         squared += (n < 3 ? 1.0 : 2.0) * deviator.m[n] * deviator.m[n];
     }
     const Lanes norm = squareRoot(squaredNorm(arguments, i, behind, g, trial.excess, trial.numbers, squared)) + 1e-300;
@@ -102,7 +102,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes yield = rootTwoThirds * (valuesOf(arguments.numbers.yieldStress, i) + hardening * alpha);
     const LaneBits flows = (norm > yield) & (g.weight == all(1));
     after = trial.metric;
-    if (!anyBeyond(flows ? all(1) : all(0), 0)) {
+    if (!any(flows)) {
         for (int n = 0; n < 6; ++n)
             write(flow.metric[n], after.m[n]);
         write(flow.equivalentStrain, alpha);
@@ -116,10 +116,11 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
         return false;
     }
     const Lanes time = valuesOf(arguments.numbers.flowTime, i);
-    const Lanes within = time > all(0) ? 1 - exponential(larger(-flow.duration / time, all(-600))) : all(1);
+    const Lanes within = choose(time > all(0), 1 - exponential(larger(-flow.duration / time, all(-600))), all(1));
     const Lanes modulus = shear * e.third;
-    const Lanes amount = flows ? within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))) : all(0);
-    const Lanes share = flows ? 1 - 2 * modulus * amount / norm : all(1);
+    const Lanes amount =
+        choose(flows, within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))), all(0));
+    const Lanes share = choose(flows, 1 - 2 * modulus * amount / norm, all(1));
     const Lanes grown = rootTwoThirds * amount;
     // Triaxiality is sigma_m / sigma_eq of the stress afterwards, sigma_eq = sqrt(3/2) |s|.
     const Lanes equivalent = 1.2247448713915890 * squareRoot(squared) * share + 1e-300;
@@ -136,7 +137,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Symmetric flowed = metricOf(g, adjugate(relaxed));
     const LaneBits changes = flows & ~g.isFlat;
     for (int n = 0; n < 6; ++n) {
-        after.m[n] = changes ? flowed.m[n] : trial.metric.m[n];
+        after.m[n] = choose(changes, flowed.m[n], trial.metric.m[n]);
         write(flow.metric[n], after.m[n]);
     }
     write(flow.equivalentStrain, alpha + grown);
@@ -144,7 +145,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     write(flow.share, share);
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) != 0)
-            write(flow.lengthening[d], changes ? quadratic<d>(after) / quadratic<d>(trial.metric) : all(1));
+            write(flow.lengthening[d], choose(changes, quadratic<d>(after) / quadratic<d>(trial.metric), all(1)));
     });
     return true;
 }

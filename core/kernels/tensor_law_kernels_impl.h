@@ -12,7 +12,7 @@ KNEAD_INLINE Lanes energyOf(const LaneNumbers& numbers, const Gradient& g, const
                             const SpringShare& share, double spacing)
 {
     const Lanes whole = numbers.volume * (0.5 * numbers.bulk * g.theta * g.theta + 1.5 * numbers.shear * (e.third - 1));
-    return g.isFlat ? all(0) : g.weight * (whole - spacing * spacing * share.energy);
+    return choose(g.isFlat, all(0), g.weight * (whole - spacing * spacing * share.energy));
 }
 
 /// Writes the stress of eight objects. @return their energy
@@ -32,7 +32,7 @@ KNEAD_INLINE Lanes stressOfTensor(const TensorLawArguments& arguments, std::size
     const double inverseSpacing = 1 / a.spacing;
     const LaneBits fades = (g.weight > all(0)) & (g.weight < all(1));
     constexpr double slope = 1 / (wholeVolumeRatio - leastVolumeRatio);
-    const Lanes fading = fades ? energy / (fades ? g.weight : all(1)) * slope : all(0);
+    const Lanes fading = choose(fades, energy / choose(fades, g.weight, all(1)) * slope, all(0));
     Lanes p[3][3];
     for (int column = 0; column < 3; ++column)
         for (int c = 0; c < 3; ++c)

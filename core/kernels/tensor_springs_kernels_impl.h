@@ -132,12 +132,12 @@ KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, Unsig
         along<d>(g, step);
         const Lanes whole = relativeStretch(excess.rho[d], excess.isSmall);
         const LaneBits isShort = whole < all(leastStretch);
-        const Lanes stretch = isShort ? all(leastStretch) : whole;
+        const Lanes stretch = choose(isShort, all(leastStretch), whole);
         const Lanes half = 0.5 * k * stretch;
         if constexpr (withEnergy) {
             // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
             const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-            share.energy += 0.25 * k * squared * (isShort ? -0.5 - 0.5 * excess.rho[d] : stretch * stretch);
+            share.energy += 0.25 * k * squared * choose(isShort, -0.5 - 0.5 * excess.rho[d], stretch * stretch);
         }
         for (int c = 0; c < 3; ++c)
             for (int column = 0; column < 3; ++column) {
