@@ -9,15 +9,18 @@ namespace knead {
 /// a . b over all rows, summed in an order that does not depend on the number of threads.
 double dotProduct(const VectorArray& a, const VectorArray& b);
 
+/// How a linear system was solved.
+struct LinearReport {
+    int iterations = 0;
+    double start = 0; ///< r . P r at the start [J]
+    double end = 0;   ///< and at the end
+};
+
 /// Preconditioned conjugate gradients for A dv = r, in single precision: what the solution lacks is found by whoever has the
 /// forces, in double. Several threads; same bits for any number.
 class ConjugateGradients {
 public:
-    struct Report {
-        int iterations = 0;
-        double start = 0; ///< r . P r at the start [J]
-        double end = 0;   ///< and at the end
-    };
+    using Report = LinearReport;
 
     /// Adds dv to `solution`, until r . P r is at most `goal` [J], or for `most` iterations.
     /// @param residual r, by rows [kg m/s]

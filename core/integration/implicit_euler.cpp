@@ -210,7 +210,11 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
     std::vector<Link> links;
     links.reserve(tangents.size() + m_hands.size());
     for (const ContactTangent& tangent : tangents)
-        links.push_back({.first = firstEnd(tangent), .second = secondEnd(tangent), .matrix = h * tangent.resistance});
+        links.push_back({.first = firstEnd(tangent),
+                         .second = secondEnd(tangent),
+                         .matrix = h * tangent.resistance,
+                         .drag = h * tangent.drag,
+                         .normal = tangent.normal});
     for (std::size_t n = 0; n < m_handRow.size(); ++n) {
         if (n >= m_hands.size()) { // there is none: nothing moves it
             m_system.setRigid(m_handIndex[n], 1, Mat3::Identity());
@@ -242,8 +246,11 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
 /// Solves the system for the residual and adds what it gives to the velocities. @return iterations
 int ImplicitEuler::solve(double goal)
 {
-    const ConjugateGradients::Report report =
-        m_solver.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, solverSettings.linear.mostIterations);
+    constexpr int most = solverSettings.linear.mostIterations;
+    const LinearReport report =
+        m_system.isSymmetric()
+            ? m_conjugateGradients.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, most)
+            : m_minimalResiduals.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, most);
     const double decades = 0.5 * std::log10(report.start / report.end);
     if (decades > 1) {
         m_presentRate = report.iterations / decades;

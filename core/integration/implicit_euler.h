@@ -3,6 +3,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
+#include "core/integration/minimal_residuals.h"
 #include "core/integration/solver_settings.h"
 #include "core/integration/tool_hand.h"
 #include "core/mechanics/contacts.h"
@@ -137,7 +138,8 @@ private:
     double m_spacing = std::numeric_limits<double>::infinity(); ///< the smallest [m]
     ImplicitSystem m_system;
     RigidModePreconditioner m_preconditioner;
-    ConjugateGradients m_solver;
+    ConjugateGradients m_conjugateGradients;
+    MinimalResiduals m_minimalResiduals;      ///< where something slips
     AndersonMixing m_mixing;                  ///< of iterations in which material flows
     std::vector<VectorArray> m_startPosition; ///< per body
     std::vector<VectorArray> m_startVelocity;

@@ -2,6 +2,8 @@
 
 #include "core/task/parallel.h"
 
+#include <algorithm>
+
 namespace knead {
 
 namespace {
@@ -58,6 +60,12 @@ void ImplicitSystem::setRigid(std::size_t index, double mass, const Mat3& inerti
 {
     m_rigids[index].mass = mass;
     m_rigids[index].inertia = inertia;
+}
+
+void ImplicitSystem::setLinks(std::vector<Link> links)
+{
+    m_links = std::move(links);
+    m_isSymmetric = std::ranges::all_of(m_links, [](const Link& link) { return link.drag.isZero(0); });
 }
 
 void ImplicitSystem::update(double step)
@@ -130,7 +138,7 @@ double ImplicitSystem::multiply(const FloatArray& u, FloatArray& product)
     };
     for (const Link& link : m_links) {
         const Vec3 between = velocityOf(link.first) - velocityOf(link.second);
-        const Vec3 momentum = link.matrix * between;
+        const Vec3 momentum = link.momentumOf(between);
         energy += between.dot(momentum);
         give(link.first, momentum);
         give(link.second, -momentum);

@@ -37,11 +37,15 @@ void push(const LinkEnd& end, const Vec3& momentum, VectorArray& rows);
 struct Link {
     LinkEnd first;
     LinkEnd second;
-    Mat3 matrix; ///< symmetric, not negative [kg]
+    Mat3 matrix;                ///< symmetric, not negative [kg]
+    Vec3 drag = Vec3::Zero();   ///< of what slips along a surface: drag normal^T comes to it [kg]
+    Vec3 normal = Vec3::Zero(); ///< unit
+
+    Vec3 momentumOf(const Vec3& between) const { return matrix * between + normal.dot(between) * drag; }
 };
 
-/// The linear system of an implicit step, A dv = r with A = M + h C + h^2 K, for all bodies at once. Symmetric and positive
-/// definite; never assembled.
+/// The linear system of an implicit step, A dv = r with A = M + h C + h^2 K, for all bodies at once. Never assembled; symmetric and
+/// positive definite, but for what slips: its friction grows with the pressure, and no pressure with its friction.
 ///
 /// It has one row of three numbers per object of the deformable bodies, body after body, and then two per rigid body that
 /// moves: its velocity, and its angular velocity times its size. The linear solver has them in single precision by slots
@@ -68,7 +72,8 @@ public:
     /// Finds A for the present places of the objects. Rigid bodies and links are set apart. @param step h [s]
     void update(double step);
     void setRigid(std::size_t index, double mass, const Mat3& inertia);
-    void setLinks(std::vector<Link> links) { m_links = std::move(links); }
+    void setLinks(std::vector<Link> links);
+    bool isSymmetric() const { return m_isSymmetric; }
 
     /// By slots. @return u A u [J]
     double multiply(const FloatArray& u, FloatArray& product);
@@ -93,6 +98,7 @@ private:
     std::vector<DeformableBody> m_deformables;
     std::vector<RigidBody> m_rigids;
     std::vector<Link> m_links;
+    bool m_isSymmetric = true;
     std::vector<double> m_mass;
     std::vector<std::uint8_t> m_isHeld;
     std::vector<std::uint32_t> m_held;

@@ -111,12 +111,15 @@ struct MixingSettings {
     /// Of the largest diagonal entry, added to all: differences that are nearly the same must not cancel by large
     /// factors.
     double regularization = 1e-10;
-    double lost = 4; ///< iterations that make the residual so much larger, squared, are forgotten and begun anew
+    double lost = 1; ///< iterations that make the residual so much larger, squared, are forgotten and begun anew
 };
 
 /// The linear systems of an implicit step: conjugate gradients with the preconditioner of rigid modes.
 struct LinearSettings {
     int mostIterations = 400; ///< for one system
+    /// Where something slips, so many vectors are kept at most, and it begins anew then. More: memory, 12 bytes per object and vector;
+    /// less: more iterations of bodies that are pushed and slender.
+    std::size_t mostKept = 24;
     /// Tools have no mass. In the system they have this share of what their hands do, so that it stays positive.
     double handMassShare = 1e-4;
     // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was

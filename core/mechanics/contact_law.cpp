@@ -136,9 +136,12 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
         const Mat3 dyad = state.normal * state.normal.transpose();
         result.resistance = (step.duration * spring.slope + parameters.damping) * dyad +
                             grip * (sideways + parameters.damping) * (Mat3::Identity() - dyad);
-        if (grip < 1)
+        if (grip < 1) {
             result.resistance -= slipShare * grip * (sideways + parameters.damping) / (wanted * wanted) * sticking *
                                  sticking.transpose();
+            result.drag =
+                -parameters.friction * (step.duration * spring.slope + parameters.damping) / wanted * sticking;
+        }
     }
     return result;
 }

@@ -91,6 +91,9 @@ struct ContactResult {
     /// Of a trial: how the force at the end of the step answers to the relative velocity, the pressure that friction goes by as it is;
     /// symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();
+    /// And what that leaves out of what slips, as it is not symmetric: friction grows with the pressure. The force answers by
+    /// drag normal^T as well [N s/m].
+    Vec3 drag = Vec3::Zero();
 
     Vec3 force() const { return spring + damping; }
 };

@@ -182,7 +182,8 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
                                    .second = second.ref,
                                    .force = result.force(),
                                    .normal = state.normal,
-                                   .resistance = result.resistance});
+                                   .resistance = result.resistance,
+                                   .drag = result.drag});
         return;
     }
     if (isToolBetween(pair, m_objects, surfaces)) {

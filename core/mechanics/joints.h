@@ -29,6 +29,7 @@ struct ContactTangent {
     Vec3 force = Vec3::Zero();      ///< on the first [N]
     Vec3 normal = Vec3::Zero();     ///< of the skins that push each other, towards the first; 0: a joint
     Mat3 resistance = Mat3::Zero(); ///< symmetric, not negative [N s/m]
+    Vec3 drag = Vec3::Zero();       ///< of what slips: drag normal^T comes to it [N s/m]
 };
 
 /// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have

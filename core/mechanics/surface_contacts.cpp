@@ -214,7 +214,8 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
                                    .spread = &point.spread,
                                    .force = force,
                                    .normal = nearest.normal,
-                                   .resistance = result.resistance});
+                                   .resistance = result.resistance,
+                                   .drag = result.drag});
 }
 
 void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,

@@ -205,6 +205,27 @@ private slots:
         QVERIFY(std::abs(along.dot(result.resistance * across)) < 1e-12 * result.resistance.norm());
     }
 
+    void whatSlidesRubsTheMoreTheHarderItIsPressed()
+    {
+        ContactParameters parameters = stiff(0.5);
+        parameters.damping = 3;
+        parameters.stiffening = 3e-5;
+        const ContactStep step{.duration = dt, .stickSpeed = 0.1, .isTrial = true};
+        const Vec3 velocity(3, 4, -0.002);
+        const auto force = [&](double faster) {
+            return contactForce({.overlap = 5e-5 - dt * faster, .relativeVelocity = velocity + faster * Vec3::UnitZ()},
+                                parameters, step)
+                .force();
+        };
+        const double difference = 1e-5;
+        const Vec3 change = (force(-difference) - force(difference)) / (2 * difference);
+        const ContactResult result = contactForce({.overlap = 5e-5, .relativeVelocity = velocity}, parameters, step);
+        const Vec3 expected = result.resistance * Vec3::UnitZ() + result.drag;
+        QVERIFY2((change - expected).norm() < 1e-4 * change.norm(),
+                 qPrintable(QString::number((change - expected).norm() / change.norm())));
+        QVERIFY(result.drag.norm() > 0.4 * change.z()); // what a symmetric answer would lack
+    }
+
     void fastSlidesAreBrakedWithCoulombsForceInTheImplicitSchemeToo()
     {
         const ContactResult result = contactForce({.overlap = 1e-4, .relativeVelocity = {3, 4, 0}}, stiff(0.5),

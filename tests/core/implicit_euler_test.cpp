@@ -330,6 +330,37 @@ private slots:
         }
     }
 
+    /// A tool that is pressed in and slides takes hardly more iterations with friction than without.
+    void slidesCostLittleMoreThanNoFriction()
+    {
+        const auto iterationsWith = [](double friction) {
+            Scene scene = implicit(scenes::cantilever({14, 6, 6}, spacing, rubber(), Vec3::Zero()));
+            for (ObjectIndex i = 0; i < scene.bodies[0].aggregate->size(); ++i)
+                if (scene.bodies[0].aggregate->lattice.position(i).z() < -2.9 * spacing)
+                    scene.fixtures[0].objects.push_back(i);
+            std::ranges::sort(scene.fixtures[0].objects);
+            const auto last = std::ranges::unique(scene.fixtures[0].objects);
+            scene.fixtures[0].objects.erase(last.begin(), last.end());
+            Manipulator ball{.name = "ball", .size = {0.012, 0.012, 0.012}};
+            ball.kind = ToolKind::ball;
+            ball.friction = friction;
+            ball.pose.position = Vec3(4 * spacing, 0, 3 * spacing + 0.0055);
+            ball.motion = DriveAt{Vec3(0.02, 0, -0.01), Vec3::Zero()};
+            scene.manipulators.push_back(ball);
+            Simulation simulation(scene);
+            double iterations = 0;
+            while (simulation.time() < 0.3) {
+                simulation.step();
+                iterations += simulation.snapshot()->solverIterations;
+            }
+            return iterations;
+        };
+        const double without = iterationsWith(0);
+        const double with = iterationsWith(0.4);
+        qInfo("%.0f iterations without friction, %.0f with", without, with);
+        QVERIFY2(with < 1.5 * without, qPrintable(QString("%1 and %2").arg(with).arg(without)));
+    }
+
     /// Where a hand would have it is far away, but it does not get there.
     void stalledToolLeavesStepsAsLongAsTheyAre()
     {
