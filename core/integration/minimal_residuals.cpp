@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t slotsAtATime = 2048;
 constexpr std::size_t mostKept = solverSettings.linear.mostKept;
 
+// What is new of a vector below this share, squared, is rounding of single precision: the basis ends there.
+constexpr double leastNew = 1e-6;
+
 using Sums = std::array<double, mostKept>;
 
 /// v . y for the first `count` vectors of a basis.
@@ -55,7 +58,7 @@ void MinimalResiduals::extend(ImplicitSystem& system, RigidModePreconditioner& p
     double rest = squared;
     for (std::size_t v = 0; v < count; ++v)
         rest -= along[v] * along[v];
-    const double beyond = std::sqrt(std::max(rest, 0.0));
+    const double beyond = rest > leastNew * squared ? std::sqrt(rest) : 0;
     if (m_basis.size() == count && count < mostKept)
         m_basis.emplace_back();
     if (beyond > 0 && count < mostKept) {
