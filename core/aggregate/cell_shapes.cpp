@@ -16,18 +16,19 @@ constexpr std::size_t along[3] = {4, 2, 1}; // what u, v, w add to the number of
 CellQuality qualityOf(const std::array<Vec3, 8>& corners, double spacing, double handedness)
 {
     CellQuality quality;
-    double longest = 0;
+    double edge = 0; // the longest ones, squared
+    double diagonal = 0;
     for (std::size_t corner = 0; corner < 8; ++corner) {
         std::array<Vec3, 3> edges;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             edges[axis] = (corners[corner | along[axis]] - corners[corner & ~along[axis]]) / spacing;
-            longest = std::max(longest, edges[axis].norm());
+            edge = std::max(edge, edges[axis].squaredNorm());
         }
         quality.leastCorner = std::min(quality.leastCorner, handedness * edges[0].dot(edges[1].cross(edges[2])));
     }
     for (std::size_t corner = 0; corner < 4; ++corner)
-        longest = std::max(longest, (corners[7 - corner] - corners[corner]).norm() / (std::sqrt(3.0) * spacing));
-    quality.largestStretch = longest;
+        diagonal = std::max(diagonal, (corners[7 - corner] - corners[corner]).squaredNorm());
+    quality.largestStretch = std::max(std::sqrt(edge), std::sqrt(diagonal) / (std::sqrt(3.0) * spacing));
     quality.inverted = quality.leastCorner <= 0 ? 1 : 0;
     return quality;
 }

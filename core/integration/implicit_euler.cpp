@@ -70,6 +70,37 @@ void ImplicitEuler::guess(std::size_t body, double h)
             m_velocity.add(m_first[body] + i, h / m_lastStep / mass[piece] * gained[piece]);
 }
 
+void ImplicitEuler::weighPieces()
+{
+    m_pieceMass.resize(m_bodies.size());
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const ObjectState& state = *m_bodies[b].state;
+        const Pieces& pieces = piecesOf(b);
+        m_pieceMass[b].assign(pieces.count, 0);
+        for (std::size_t i = 0; i < state.size(); ++i)
+            m_pieceMass[b][pieces.ofObject[i]] +=
+                state.inverseMass[i] > 0 ? state.mass[i] : std::numeric_limits<double>::infinity();
+    }
+}
+
+/// Of the piece that an object is in; infinite where it does not give way as a whole [kg].
+double ImplicitEuler::massAround(const ObjectRef& object) const
+{
+    return m_pieceMass[object.body][piecesOf(object.body).ofObject[object.object]];
+}
+
+/// ContactTangent::drag by the step [kg], where single precision has room for it.
+Vec3 ImplicitEuler::dragOf(const ContactTangent& tangent, double h) const
+{
+    if (tangent.drag.isZero(0))
+        return Vec3::Zero();
+    double mass = massAround(tangent.first);
+    if (tangent.second)
+        mass = std::min(mass, massAround(*tangent.second));
+    const double stiffness = h * tangent.normal.dot(tangent.resistance * tangent.normal);
+    return stiffness <= solverSettings.linear.mostDragged * mass ? Vec3(h * tangent.drag) : Vec3(Vec3::Zero());
+}
+
 void ImplicitEuler::rememberStart(double h)
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
@@ -213,7 +244,7 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
         links.push_back({.first = firstEnd(tangent),
                          .second = secondEnd(tangent),
                          .matrix = h * tangent.resistance,
-                         .drag = h * tangent.drag,
+                         .drag = dragOf(tangent, h),
                          .normal = tangent.normal});
     for (std::size_t n = 0; n < m_handRow.size(); ++n) {
         if (n >= m_hands.size()) { // there is none: nothing moves it

@@ -96,6 +96,9 @@ private:
     void noteTouched(const std::vector<ContactTangent>& tangents);
     void guess(std::size_t body, double h);
     void rememberStart(double h);
+    void weighPieces();
+    double massAround(const ObjectRef& object) const;
+    Vec3 dragOf(const ContactTangent& tangent, double h) const;
     template <typename Change>
     void forEachNumber(Change&& change) const;
     void takeOverVelocities();
@@ -145,6 +148,7 @@ private:
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
     std::vector<Pieces> m_whole;                           ///< of bodies that tell of no pieces
+    std::vector<std::vector<double>> m_pieceMass;          ///< per body and piece; infinite where it is held [kg]
     double m_startEnergy = 0;                              ///< stored at the start, less what broke since [J]
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;

@@ -19,9 +19,9 @@ namespace knead {
 
 namespace {
 
-// Cells go bad slowly: they are looked at this often [steps].
+// In explicit steps cells go bad slowly: they are looked at this often [steps]. In an implicit step things move by up to half a spacing,
+// and cells that were good may be inside out two steps later: each is looked at.
 constexpr std::uint64_t looksInterval = 64;
-constexpr std::uint64_t implicitLooksInterval = 3;
 // A cell is bad from here on: corners that are flat, edges that are long.
 constexpr double leastCorner = 0.3;
 constexpr double largestStretch = 3;
@@ -321,8 +321,7 @@ void Simulation::State::refill(BodyId id, double spacing)
 /// Bodies whose cells are no good any more.
 void Simulation::State::refillWhereBad()
 {
-    const std::uint64_t interval = isImplicit() ? implicitLooksInterval : looksInterval;
-    if (!refilling.isOn || steps.count % interval != 0)
+    if (!refilling.isOn || (!isImplicit() && steps.count % looksInterval != 0))
         return;
     for (BodyId id = 0; id < bodies.size(); ++id) {
         BodyRun& run = *runs[id];
