@@ -122,7 +122,7 @@ struct LinearSettings {
     std::size_t mostKept = 24;
     /// What nothing holds is solved for without that where contacts are so many times as stiff, in the step, as it has mass: a slide
     /// would follow the rounding of its pressure, which friction multiplies, and a steel block slides by a tenth of its way.
-    double mostDragged = 1e3;
+    double mostDragged = 30;
     /// Tools have no mass. In the system they have this share of what their hands do, so that it stays positive.
     double handMassShare = 1e-4;
     // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was

@@ -100,7 +100,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes damage = arguments.plastic.damage ? load(arguments.plastic.damage + i) : all(0);
     const Lanes hardening = valuesOf(arguments.numbers.hardening, i);
     const Lanes yield = rootTwoThirds * (valuesOf(arguments.numbers.yieldStress, i) + hardening * alpha);
-    const LaneBits flows = (norm > yield) & (g.weight == all(1));
+    const LaneBits flows = (norm > yield) & (g.weight == all(1)) & inside(i, a.begin, a.end);
     after = trial.metric;
     if (!any(flows)) {
         for (int n = 0; n < 6; ++n)

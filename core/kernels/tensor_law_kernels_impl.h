@@ -56,13 +56,13 @@ KNEAD_INLINE void tensorLawOfVector(const TensorLawArguments& arguments, std::si
     const LaneNumbers numbers = numbersOf(arguments.numbers, i, g.theta);
     const Symmetric metric = loadSymmetric(arguments.plastic.metric, i);
     const ElasticPart e = elasticPart(g, metric);
-    const Excess excess = excessOf(a, g, metric);
+    const Excess excess = excessOf(a, i, g, metric);
     Symmetric after;
     if (flows && flowOfVector(arguments, i, behind, {g, metric, e, excess, numbers}, after)) {
         const Writer write{a, i, i < a.begin || i + lanes > a.end};
         const Lanes before = energyOf(numbers, g, e, springShare<true>(a, i, behind, g, excess), a.spacing);
         const Lanes energy = stressOfTensor(arguments, i, numbers, g, elasticPart(g, after),
-                                            springShare<true>(a, i, behind, g, excessOf(a, g, after)));
+                                            springShare<true>(a, i, behind, g, excessOf(a, i, g, after)));
         write(arguments.flow->dissipated, before - energy);
         return;
     }

@@ -49,7 +49,8 @@ struct Excess {
 // Below this, series to the tenth power are exact to rounding, and much quicker than roots and logarithms.
 constexpr double smallExcess = 0.04;
 
-KNEAD_INLINE Excess excessOf(const Surroundings& a, const Gradient& g, const Symmetric& metric)
+/// @param i the first of the eight objects; what lies outside of the run decides nothing
+KNEAD_INLINE Excess excessOf(const Surroundings& a, std::size_t i, const Gradient& g, const Symmetric& metric)
 {
     // One division for all: each inverse is the product of the others times the inverse of the product.
     Lanes squared[latticeDirectionCount];
@@ -77,7 +78,7 @@ KNEAD_INLINE Excess excessOf(const Surroundings& a, const Gradient& g, const Sym
         inverse *= squared[d];
         largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
     });
-    excess.isSmall = !anyBeyond(largest, smallExcess);
+    excess.isSmall = !any((largest > all(smallExcess)) & inside(i, a.begin, a.end));
     return excess;
 }
 
