@@ -103,11 +103,12 @@ private:
             m_weight[d][objects[node]] += weight;
         if (d < faceDiagonals[0])
             return;
-        // The other diagonal begins one further along the axis that it goes down.
+        // The other diagonal begins one further along the axis that it goes down, if it is there.
         constexpr std::size_t across = MomentSpread::across;
         const std::size_t further = d == faceDiagonals[0] ? across : 1;
         for (const auto& [node, weight] : shares)
-            m_weight[d + 1][objects[node + further]] += weight;
+            if (const ObjectIndex other = objects[node + further]; other < m_weight[d + 1].size())
+                m_weight[d + 1][other] += weight;
     }
 
     const Aggregate& m_aggregate;
