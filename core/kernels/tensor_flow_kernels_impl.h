@@ -27,8 +27,8 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
         const Lanes follows = choose(g.isFlat, all(0), shape * shape);
         if ((a.forward >> d & 1U) != 0) {
             const Lanes k = squaredStep<d> * load(a.stiffness[d] + i);
-            const Lanes strain =
-                load(flow.connectionStrain[d] + i) - (volume + load(flow.dilatation + i + a.ahead[d])) * (1.0 / 6);
+            const Lanes other = masked(load(flow.dilatation + i + a.ahead[d]), k > all(0)); // else it may be anything
+            const Lanes strain = load(flow.connectionStrain[d] + i) - (volume + other) * (1.0 / 6);
             beyond += k * (strain * strain - follows);
             weights += k;
         }
@@ -36,7 +36,7 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
             const LaneBits isOwn = (behind >> d & 1) != 0;
             const Lanes k = squaredStep<d> * masked(load(a.stiffness[d] + i - a.behind[d]), isOwn);
             const Lanes strain = masked(load(flow.connectionStrain[d] + i - a.behind[d]), isOwn) -
-                                 (volume + load(flow.dilatation + i - a.behind[d])) * (1.0 / 6);
+                                 (volume + masked(load(flow.dilatation + i - a.behind[d]), isOwn)) * (1.0 / 6);
             beyond += k * (strain * strain - follows);
             weights += k;
         }
