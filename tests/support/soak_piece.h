@@ -338,11 +338,34 @@ private:
             keep(path, "a part that is said to be sound is not closed or not valid");
         if (part.volume <= 0 || std::abs(part.volume - report.volume) > 1e-3 * report.volume)
             keep(path, "a part that is said to be sound has another volume");
-        // The net of a file that is read back has chords beside edges, a few of which cross where the faces do not.
-        constexpr std::size_t ofChords = 4;
-        if (const Crossings crossings = findCrossings(part.mesh); crossings.count > ofChords)
+        // What reaches no deeper than the file is exact is sound: the net of what is read back has chords beside edges.
+        const Crossings crossings = findCrossings(part.mesh);
+        if (const double depth = depthOf(part.mesh, crossings); depth > report.tolerance)
             keep(path, "a part that is said to be sound passes through itself at " + std::to_string(crossings.count) +
-                           " pairs of triangles");
+                           " pairs of triangles, by " + std::to_string(1e3 * depth) + " mm of " +
+                           std::to_string(1e3 * report.tolerance) + " mm");
+    }
+
+    /// How far triangles reach through each other at most: the lesser part beyond the plane of the other one [m].
+    static double depthOf(const TriangleMesh& mesh, const Crossings& crossings)
+    {
+        const auto beyond = [&](const TriangleMesh::Triangle& plane, const TriangleMesh::Triangle& other) {
+            const Vec3& origin = mesh.vertices[plane[0]];
+            const Vec3 normal = (mesh.vertices[plane[1]] - origin).cross(mesh.vertices[plane[2]] - origin);
+            double above = 0;
+            double below = 0;
+            for (const std::uint32_t corner : other) {
+                const double height = normal.stableNormalized().dot(mesh.vertices[corner] - origin);
+                above = std::max(above, height);
+                below = std::max(below, -height);
+            }
+            return std::min(above, below);
+        };
+        double depth = 0;
+        for (const auto& [a, b] : crossings.some)
+            depth = std::max(depth, std::min(beyond(mesh.triangles[a], mesh.triangles[b]),
+                                             beyond(mesh.triangles[b], mesh.triangles[a])));
+        return depth;
     }
 
     /// A fault with a file to look at.
