@@ -233,7 +233,8 @@ private slots:
         process.start(KNEAD_PROGRAM,
                       {"replay", m_shop.qPath("endless.knead"), "--export", m_shop.qPath("late/part.stl")});
         QVERIFY(process.waitForStarted());
-        QTest::qWait(1500);
+        QTRY_VERIFY_WITH_TIMEOUT(workshop::handles(process.processId(), SIGINT), 30'000);
+        QTest::qWait(1000); // at work by now
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(10'000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);

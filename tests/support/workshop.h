@@ -35,6 +35,16 @@ inline QProcessEnvironment serverEnvironment()
     return environment;
 }
 
+/// Whether a process does something of its own at a signal, so that the signal does not just end it.
+inline bool handles(qint64 process, int signal)
+{
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("SigCgt:"))
+            return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+    return false;
+}
+
 inline Outcome runKnead(const QStringList& arguments)
 {
     QProcess process;
