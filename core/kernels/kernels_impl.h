@@ -5,6 +5,7 @@
 // arrays for the compiler to check that itself.
 #pragma once
 
+#include "core/kernels/fit_kernels_impl.h"
 #include "core/kernels/kernels.h"
 #include "core/kernels/lattice_kernels_impl.h"
 #include "core/kernels/sphere_kernels_impl.h"
@@ -19,6 +20,7 @@ const Kernels set{{addForces, volumetricStress, tensorLaw, hyperelasticLaw, defo
                    invertBlocks, descend, turn, multiplyBlocks, floatDot, restrictFours, prolongFours, sweepAhead,
                    leftAfterSweep, sweepBack},
                   {sphere_kernels::KNEAD_KERNEL_SET::findPartners},
+                  {lookAround, content, moments, functions},
                   KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

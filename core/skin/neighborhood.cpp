@@ -1,5 +1,6 @@
 #include "core/skin/neighborhood.h"
 
+#include "core/skin/neighborhood_walks.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -12,12 +13,11 @@
 
 namespace knead {
 
+using namespace neighborhood_walks;
+
 namespace {
 
-constexpr std::int32_t reach = 3;                  // steps
-constexpr std::int32_t corners = 4;                // nodes per axis at corners of a cell and of those around it
 constexpr std::int32_t side = 2 * reach + corners; // nodes per axis: three steps more on either side
-constexpr double window = 1.5; // kept cells farther from a point than the nearest, by this factor, have no part in it
 
 constexpr std::int32_t placeInBlock(const Lattice::Node& node)
 {
@@ -162,13 +162,6 @@ private:
     std::vector<Arrival> m_next; // where any came in the last step
 };
 
-/// The walk from a node at corners of a cell and of those around it.
-/// @param local from the lowest corner of the cell, -1 to 2 along each axis
-std::size_t walkFrom(const Lattice::Node& local)
-{
-    return static_cast<std::size_t>(((local[0] + 1) * corners + local[1] + 1) * corners + local[2] + 1);
-}
-
 /// Per corner of a cell: a bit for each direction in which its neighbor is in the cell, too.
 constexpr std::array<std::uint16_t, Lattice::cellCorners.size()> linksInCell = [] {
     std::array<std::uint16_t, Lattice::cellCorners.size()> links{};
@@ -181,77 +174,7 @@ constexpr std::array<std::uint16_t, Lattice::cellCorners.size()> linksInCell = [
     return links;
 }();
 
-/// From 0 to 1, flat at both ends and beyond.
-double smoothStep(double x)
-{
-    const double t = std::clamp(x, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
-
-double squaredDistanceToCell(const Vec3& coordinates, const Lattice::Node& cell)
-{
-    const Vec3 low(cell[0], cell[1], cell[2]);
-    return Box(low, low + Vec3::Ones()).squaredExteriorDistance(coordinates);
-}
-
-/// Parts that cells have in a point, which sum to 1.
-std::vector<double> partsOf(const std::vector<Lattice::Node>& cells, const Vec3& coordinates)
-{
-    std::vector<double> parts(cells.size());
-    std::transform(cells.begin(), cells.end(), parts.begin(),
-                   [&](const Lattice::Node& cell) { return std::sqrt(squaredDistanceToCell(coordinates, cell)); });
-    const double least = *std::ranges::min_element(parts);
-    if (least == 0 || cells.size() == 1) { // those that contain the point all say the same of it
-        const auto first = std::ranges::find(parts, least);
-        std::ranges::fill(parts, 0);
-        *first = 1;
-        return parts;
-    }
-    double all = 0;
-    for (double& part : parts)
-        all += part = smoothStep((window - part / least) / (window - 1));
-    for (double& part : parts)
-        part /= all;
-    return parts;
-}
-
 } // namespace
-
-std::vector<double> Neighborhood::shares(const Vec3& coordinates) const
-{
-    std::vector<double> shares(objects.size(), 1);
-    if (cells.empty())
-        return shares;
-    std::array<double, corners * corners * corners> ofWalk{};
-    const std::vector<double> parts = partsOf(cells, coordinates);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (parts[i] == 0)
-            continue;
-        std::array<Vec3, 2> along;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto component = static_cast<Eigen::Index>(axis);
-            along[1][component] = smoothStep(coordinates[component] - cells[i][axis]);
-            along[0][component] = 1 - along[1][component];
-        }
-        for (const Lattice::Node& corner : Lattice::cellCorners)
-            ofWalk[walkFrom(Lattice::sum(Lattice::difference(cells[i], owner.node), corner))] +=
-                parts[i] * along[static_cast<std::size_t>(corner[0])].x() *
-                along[static_cast<std::size_t>(corner[1])].y() * along[static_cast<std::size_t>(corner[2])].z();
-    }
-    std::vector<double> ofSet(walks.size(), 0);
-    std::uint64_t all = 0;
-    for (std::size_t walk = 0; walk < ofWalk.size(); ++walk)
-        if (ofWalk[walk] > 0) {
-            all |= std::uint64_t{1} << walk;
-            for (std::size_t set = 0; set < ofSet.size(); ++set)
-                ofSet[set] += (walks[set] >> walk & 1U) != 0 ? ofWalk[walk] : 0;
-        }
-    for (std::size_t set = 0; set < ofSet.size(); ++set)
-        if ((walks[set] & all) == all)
-            ofSet[set] = 1; // without rounding
-    std::transform(walksOf.begin(), walksOf.end(), shares.begin(), [&](std::uint16_t set) { return ofSet[set]; });
-    return shares;
-}
 
 NeighborhoodFinder::NeighborhoodFinder(const Aggregate& aggregate)
     : m_lattice(aggregate.lattice)
@@ -314,7 +237,8 @@ OwnedPoints NeighborhoodFinder::ownersOf(std::span<const Vec3> points) const
 
 Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
 {
-    Neighborhood around{.owner = owner, .cells = {}, .objects = {}, .walks = {}};
+    Neighborhood around;
+    around.owner = owner;
     if (owner.kind == SkinOwner::Kind::cell)
         around.cells = {owner.node};
     else if (owner.kind == SkinOwner::Kind::around)
@@ -338,6 +262,9 @@ Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
     for (std::int32_t steps = 0; steps < reach; ++steps)
         block.step();
     block.tell(around);
+    std::vector<Lattice::Node> nodes(around.objects.size());
+    std::ranges::transform(around.objects, nodes.begin(), [&](ObjectIndex object) { return m_lattice.nodes[object]; });
+    around.outward = outwardOrder(nodes, around.middle());
     return around;
 }
 

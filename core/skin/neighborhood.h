@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/lattice_rows.h"
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -43,14 +44,34 @@ struct Neighborhood {
     std::vector<std::uint64_t> walks;
     std::vector<std::uint16_t> walksOf; ///< per object: which of these
 
+    /// Objects from the middle of the owner outward, as fits around its points go through them.
+    struct Outward {
+        std::vector<std::uint16_t> order; ///< indices into `objects`
+        std::array<std::vector<float>, 3>
+            steps; ///< from the middle, per object of `order`; filled up to a multiple of kernels::fitLanes by what is far away
+        std::vector<std::uint16_t> within; ///< [k]: how many are nearer to the middle than k / 4
+    } outward;
+
+    /// The middle of the owner [lattice coordinates].
+    Vec3 middle() const;
+
+    /// How many of `outward` may be as near as that to a point.
+    /// @param away how far the point is from the middle
+    std::size_t mostWithin(double radius, double away) const;
+
     /// How far objects belong to the material around a point, from 0 to 1: what they are to the corners of the cell that it is in,
     /// interpolated between these; beside all kept cells, of the nearest of them, those about as near each having its part. So it
     /// changes continuously from place to place, where objects that can only be reached around a gap come in, as long as a kept
     /// cell is nearer than two thirds of a cell; farther off, across gaps of two cells that a web too thin for the lattice spans,
     /// it may jump from one side to the other.
     /// @param coordinates of the point in the lattice
-    std::vector<double> shares(const Vec3& coordinates) const;
+    /// @return per set of walks; an object has that of its own
+    std::vector<double> sharesOfSets(const Vec3& coordinates) const;
+    std::vector<double> shares(const Vec3& coordinates) const; ///< the same per object
 };
+
+/// Objects in the order of Outward. @param nodes of the objects of a neighborhood
+Neighborhood::Outward outwardOrder(const std::vector<Lattice::Node>& nodes, const Vec3& middle);
 
 /// The objects that may carry a point of the surface: those reached along connections from the cell that owns it.
 /// The aggregate must outlive it; its members may be called from any thread.

@@ -12,8 +12,12 @@ std::size_t bytesOf(const std::vector<Value>& values)
 
 std::size_t bytesOf(const Neighborhood& around)
 {
-    return sizeof around + bytesOf(around.cells) + bytesOf(around.objects) + bytesOf(around.walks) +
-           bytesOf(around.walksOf);
+    const Neighborhood::Outward& outward = around.outward;
+    std::size_t bytes = sizeof around + bytesOf(around.cells) + bytesOf(around.objects) + bytesOf(around.walks) +
+                        bytesOf(around.walksOf) + bytesOf(outward.order) + bytesOf(outward.within);
+    for (const std::vector<float>& steps : outward.steps)
+        bytes += bytesOf(steps);
+    return bytes;
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/aggregate/lattice.h"
 #include "core/skin/neighborhood.h"
 #include "core/skin/shape_functions.h"
 
@@ -13,10 +12,10 @@ namespace knead {
 /// 4.2 at corners, more for points far from all objects, on fins too thin for the lattice to hold any. They sum to 1 and change
 /// continuously as the point moves.
 /// @param coordinates of the point in the lattice
-std::vector<double> pointWeights(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates);
+std::vector<double> pointWeights(const Neighborhood& around, const Vec3& coordinates);
 
 /// The same with slopes, in lattice coordinates: per spacing and along the lattice's axes. Its support is narrower, about 2.6
 /// spacings below a flat face: slopes get the better.
-ShapeSlopes pointSlopes(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates);
+ShapeSlopes pointSlopes(const Neighborhood& around, const Vec3& coordinates);
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
+#include "core/kernels/fit_kernels.h"
 
 #include <span>
 #include <vector>
@@ -12,9 +13,13 @@ namespace knead {
 /// one, such as across a sheet of two layers, linear functions, with the second derivatives that they leave open kept small; where
 /// they do not determine that either, constants. From one to the other they change by and by, so that they are continuous in the
 /// offsets. They sum to 1; nodes beyond the support get 0.
-/// @param shares by which the weights of the nodes are multiplied, from 0 to 1; all 1 if there are none
+/// @pre at least one node is closer than the support
+std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support);
+
+/// The same of nodes that are side by side already, weighed with their shares.
+/// @param functions of nodes.count, written: 0 for those beyond the support
 /// @pre at least one node with a share is closer than the support
-std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support, std::span<const double> shares = {});
+void shapeFunctions(const kernels::FitNodes& nodes, double support, std::span<double> functions);
 
 /// The same fit with its slopes at the origin.
 struct ShapeSlopes {
@@ -26,7 +31,7 @@ struct ShapeSlopes {
         0; ///< 0 .. 1: the part of the fit that has slopes; where it is below 1, the nodes say too little of them
 };
 
-/// @pre as for shapeFunctions()
-ShapeSlopes shapeSlopes(std::span<const Vec3> offsets, double support, std::span<const double> shares = {});
+/// Of all nodes.count. @pre as for shapeFunctions()
+ShapeSlopes shapeSlopes(const kernels::FitNodes& nodes, double support);
 
 } // namespace knead

@@ -22,9 +22,9 @@ struct InfluenceList {
     std::vector<std::uint32_t> count; // per point
     std::vector<Skin::Influence> influences;
 
-    void add(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
+    void add(const Neighborhood& around, const Vec3& coordinates)
     {
-        const std::vector<double> functions = pointWeights(lattice, around, coordinates);
+        const std::vector<double> functions = pointWeights(around, coordinates);
         const std::size_t before = influences.size();
         for (std::size_t i = 0; i < functions.size(); ++i)
             if (functions[i] != 0)
@@ -78,7 +78,7 @@ void Skin::attach(const Aggregate& aggregate, TaskControl& control)
         for (std::size_t i = begin; i < end; ++i) {
             if (i == begin || owned.isFirstOfOwner(i))
                 around = finder.gather(owned.ownerAt(i));
-            lists[begin / pointsPerBlock].add(lattice, around, lattice.coordinates(m_points[owned.order[i]]));
+            lists[begin / pointsPerBlock].add(around, lattice.coordinates(m_points[owned.order[i]]));
         }
     });
     m_first.assign(size() + 1, 0);

@@ -22,7 +22,7 @@ struct PointList {
 
     void add(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
     {
-        const ShapeSlopes shape = pointSlopes(lattice, around, coordinates);
+        const ShapeSlopes shape = pointSlopes(around, coordinates);
         const std::size_t before = influences.size();
         for (std::size_t i = 0; i < shape.values.size(); ++i)
             if (shape.values[i] != 0 || !shape.slopes[i].isZero(0))

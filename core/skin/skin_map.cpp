@@ -54,8 +54,7 @@ void SkinMap::evaluate(std::span<const Vec3> opened, std::span<Vec3> places) con
 
 Vec3 SkinMap::place(const Vec3& point, const Neighborhood& around) const
 {
-    const Lattice& lattice = m_aggregate.lattice;
-    const std::vector<double> weights = pointWeights(lattice, around, lattice.coordinates(point));
+    const std::vector<double> weights = pointWeights(around, m_aggregate.lattice.coordinates(point));
     const std::vector<ObjectIndex>& objects = around.objects;
     const Vec3 common = m_displacements[objects.front()];
     Vec3 sum = Vec3::Zero();

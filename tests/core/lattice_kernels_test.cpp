@@ -4,9 +4,11 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -448,6 +450,82 @@ private slots:
             double other = 0;
             QVERIFY2(sameBits(lengthened(kernels, other), first), kernels.name);
             QCOMPARE(other, dissipated);
+        }
+    }
+
+    /// Beside sums in plain loops; and on every set to the same bits.
+    void fitsAreSumsOverTheNodesInTheSupport()
+    {
+        constexpr std::size_t nodes = 40;
+        constexpr double support = 3;
+        constexpr double coefficients[10] = {1, -2, 0.5, 3, 0.25, -1, 2, 0.75, -0.5, 1.5};
+        const std::vector<Column> drawn = randomColumns(4, nodes, 0, 1, 3);
+        std::array<std::vector<float>, 3> steps;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const double share : drawn[axis])
+                steps[axis].push_back(static_cast<float>(std::lround(6 * share - 3)));
+        constexpr double point[3] = {0.3, -0.2, 0.4};
+        const Column& share = drawn[3];
+
+        const auto weightOf = [&](double distance, double part) {
+            const double r = std::min(1.0, distance / support);
+            return part * std::pow(1 - r, 3) * (3 * r + 1);
+        };
+        std::vector<Column> first;
+        for (const Kernels& kernels : available()) {
+            std::vector<Column> place(3, Column(nodes));
+            Column distance(nodes);
+            const double nearest =
+                kernels.lookAround(nodes, {steps[0].data(), steps[1].data(), steps[2].data()}, point,
+                                   {place[0].data(), place[1].data(), place[2].data()}, distance.data());
+            QCOMPARE(nearest, *std::ranges::min_element(distance));
+            const FitNodes there{
+                {place[0].data(), place[1].data(), place[2].data()}, distance.data(), share.data(), nodes};
+            const FitContent content = kernels.content(there, support);
+            const double further = 1e-6;
+            const double slope =
+                (kernels.content(there, support + further).count - kernels.content(there, support - further).count) /
+                (2 * further);
+            Column weight(nodes);
+            Column values(nodes);
+            double sums[FitMonomials::count];
+            kernels.moments(there, support, weight.data(), sums);
+            const double amplification = kernels.functions(there, support, weight.data(), coefficients, values.data());
+
+            double count = 0;
+            double absolute = 0;
+            std::array<double, FitMonomials::count> wanted{};
+            for (std::size_t i = 0; i < nodes; ++i) {
+                const double x = steps[0][i] - point[0];
+                const double y = steps[1][i] - point[1];
+                const double z = steps[2][i] - point[2];
+                const double one = weightOf(std::sqrt(x * x + y * y + z * z), share[i]);
+                QVERIFY(std::abs(weight[i] - one) < 1e-15);
+                count += one;
+                for (std::size_t k = 0; k < FitMonomials::count; ++k)
+                    wanted[k] += one * std::pow(x / support, fitMonomials.powers[k][0]) *
+                                 std::pow(y / support, fitMonomials.powers[k][1]) *
+                                 std::pow(z / support, fitMonomials.powers[k][2]);
+                const std::array<double, 3> p{x / support, y / support, z / support};
+                const std::array<double, 10> basis{1,           p[0],        p[1],        p[2],        p[0] * p[0],
+                                                   p[1] * p[1], p[2] * p[2], p[0] * p[1], p[1] * p[2], p[2] * p[0]};
+                const double value =
+                    one * std::inner_product(basis.begin(), basis.end(), std::begin(coefficients), 0.0);
+                QVERIFY(std::abs(values[i] - value) < 1e-14);
+                absolute += std::abs(value);
+            }
+            QVERIFY(std::abs(content.count - count) < 1e-13);
+            QVERIFY(std::abs(content.slope - slope) < 1e-7);
+            QVERIFY(std::abs(amplification - absolute) < 1e-13);
+            for (std::size_t k = 0; k < FitMonomials::count; ++k)
+                QVERIFY(std::abs(sums[k] - wanted[k]) < 1e-14);
+
+            place.insert(place.end(), {distance, weight, values, Column(std::begin(sums), std::end(sums)),
+                                       Column{content.count, content.slope, amplification}});
+            if (first.empty())
+                first = place;
+            for (std::size_t column = 0; column < place.size(); ++column)
+                QVERIFY2(sameBits(place[column], first[column]), kernels.name);
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 using namespace knead;
 
@@ -33,7 +34,8 @@ Lattice::Node cornerOf(const Lattice::Node& cell, std::int32_t corner)
 bool same(const Neighborhood& a, const Neighborhood& b)
 {
     return a.owner == b.owner && a.cells == b.cells && a.objects == b.objects && a.walks == b.walks &&
-           a.walksOf == b.walksOf;
+           a.walksOf == b.walksOf && a.outward.order == b.outward.order && a.outward.steps == b.outward.steps &&
+           a.outward.within == b.outward.within;
 }
 
 } // namespace
@@ -68,6 +70,44 @@ private slots:
                     break;
                 }
         QCOMPARE(finder.gather(owner).objects, wanted);
+    }
+
+    void objectsAreListedFromTheMiddleOutward()
+    {
+        const NeighborhoodFinder finder(m_block);
+        const Lattice::Node corner = m_block.lattice.nodes.front();
+        const Lattice::Node below{corner[0] - 1, corner[1], corner[2]};
+        for (const SkinOwner& owner : {SkinOwner{middle(), SkinOwner::Kind::cell},
+                                       {below, SkinOwner::Kind::around},
+                                       {corner, SkinOwner::Kind::object}}) {
+            const Neighborhood around = finder.gather(owner);
+            const std::vector<std::uint16_t>& order = around.outward.order;
+            QVERIFY(!order.empty());
+            QCOMPARE(order.size(), around.objects.size());
+            QCOMPARE(around.outward.steps[0].size() % 8, std::size_t{0});
+            std::vector<Vec3> places;
+            double last = 0;
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                const Lattice::Node& node = m_block.lattice.nodes[around.objects[order[i]]];
+                places.emplace_back(node[0], node[1], node[2]);
+                const Vec3 step = places.back() - around.middle();
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    QCOMPARE(around.outward.steps[axis][i], static_cast<float>(step[static_cast<Eigen::Index>(axis)]));
+                QVERIFY(step.norm() >= last - 1e-12);
+                last = step.norm();
+            }
+            QCOMPARE(std::set(order.begin(), order.end()).size(), order.size());
+            for (const Vec3& inside : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0.4), Vec3(-0.5, 0.5, 0.1)})
+                for (double radius = 0; radius < 12; radius += 0.3) {
+                    const std::size_t most = around.mostWithin(radius, inside.norm());
+                    QVERIFY(most <= order.size());
+                    for (std::size_t i = most; i < order.size(); ++i)
+                        QVERIFY((places[i] - around.middle() - inside).norm() >= radius);
+                    // It is of use: what is listed is not much farther away.
+                    for (std::size_t i = 0; i < most; ++i)
+                        QVERIFY((places[i] - around.middle()).norm() < radius + inside.norm() + 0.25);
+                }
+        }
     }
 
     /// At a corner, what was reached from it; between corners, the mean of them.
