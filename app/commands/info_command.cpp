@@ -61,12 +61,17 @@ std::vector<std::string> englishOf(const std::vector<Message>& sentences)
 
 Json toJson(const Part& part)
 {
+    Json named = Json::array();
+    for (std::size_t f = 0; f < part.faces.size(); ++f)
+        if (!part.faces[f].name.empty())
+            named.push_back({{"face", f}, {"name", part.faces[f].name}});
     return {{"name", part.name},
             {"path", part.path},
             {"color", part.color ? Json(hexColor(*part.color)) : Json(nullptr)},
             {"solids", part.solids},
             {"shells", part.shells},
             {"faces", part.faces.size()},
+            {"named_faces", named},
             {"edges", part.edges},
             {"triangles", part.mesh.triangles.size()},
             {"volume_mm3", toMm3 * part.volume},
@@ -125,6 +130,9 @@ void printPart(const Part& part, int depth)
     if (!part.layer.empty())
         std::printf(", layer %s", part.layer.c_str());
     std::printf("\n");
+    for (std::size_t f = 0; f < part.faces.size(); ++f)
+        if (!part.faces[f].name.empty())
+            std::printf("%*s  face %zu is named \"%s\"\n", indent, "", f, part.faces[f].name.c_str());
     for (const Message& repair : part.repairs)
         std::printf("%*s  repaired: %s\n", indent, "", repair.english().c_str());
     for (const Message& warning : part.warnings)

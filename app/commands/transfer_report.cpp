@@ -14,7 +14,17 @@ using Json = nlohmann::ordered_json;
 
 const char* wordFor(const TransferReport::Face& face)
 {
-    return !face.after ? "not found" : face.by == FoundBy::color ? "by color" : "by place";
+    if (!face.after)
+        return "not found";
+    switch (face.by) {
+    case FoundBy::name:
+        return "by name";
+    case FoundBy::color:
+        return "by color";
+    case FoundBy::place:
+        break;
+    }
+    return "by place";
 }
 
 std::string millimeters(const Vec3& shift)

@@ -22,6 +22,8 @@ struct Color {
 /// One face of the CAD part.
 struct PartFace {
     std::optional<Color> color; ///< when it differs from the part's
+    std::string name = {};      ///< that a person gave it in another program; several may have the same; else empty
+    friend bool operator==(const PartFace&, const PartFace&) = default;
 };
 
 /// The boundary representation of a part, for those who write CAD again. Only the io layer understands the bytes.

@@ -27,6 +27,11 @@ std::vector<ObjectIndex> objectsOf(const FilledModel& content, const FaceFixture
     return objectsOf(content, fixture, *content.bodies[fixture.body]->aggregate);
 }
 
+bool isTaken(const std::vector<FaceFixture>& fixtures, const std::string& name)
+{
+    return std::ranges::any_of(fixtures, [&](const FaceFixture& f) { return f.name == name; });
+}
+
 std::uint32_t freeKey(const std::vector<FaceFixture>& fixtures)
 {
     std::uint32_t key = 1;
@@ -39,10 +44,16 @@ std::uint32_t freeKey(const std::vector<FaceFixture>& fixtures)
 std::string freeName(const std::vector<FaceFixture>& fixtures, std::uint32_t number)
 {
     for (;; ++number) {
-        const std::string name = "Fixture " + std::to_string(number);
-        if (std::ranges::none_of(fixtures, [&](const FaceFixture& f) { return f.name == name; }))
+        std::string name = "Fixture " + std::to_string(number);
+        if (!isTaken(fixtures, name))
             return name;
     }
+}
+
+/// That of the face, where the file gives it one.
+std::string freeName(const std::vector<FaceFixture>& fixtures, std::uint32_t number, std::string ofFace)
+{
+    return ofFace.empty() || isTaken(fixtures, ofFace) ? freeName(fixtures, number) : std::move(ofFace);
 }
 
 } // namespace
@@ -98,14 +109,20 @@ FaceFixtures::Edit FaceFixtures::toggle(const FilledModel& content, BodyId body,
         return {active, hold(content, *chosen)};
     }
     const std::uint32_t key = freeKey(m_list);
-    m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = {face}, .id = {}});
+    m_list.push_back({.key = key,
+                      .name = freeName(m_list, key, nameOfFace(content, body, face)),
+                      .body = body,
+                      .faces = {face},
+                      .id = {}});
     return {key, hold(content, m_list.back())};
 }
 
 FaceFixtures::Edit FaceFixtures::add(const FilledModel& content, BodyId body, std::vector<std::uint32_t> faces)
 {
     const std::uint32_t key = freeKey(m_list);
-    m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = std::move(faces), .id = {}});
+    const std::string ofFace = faces.size() == 1 ? nameOfFace(content, body, faces.front()) : std::string();
+    m_list.push_back(
+        {.key = key, .name = freeName(m_list, key, ofFace), .body = body, .faces = std::move(faces), .id = {}});
     return {key, hold(content, m_list.back())};
 }
 

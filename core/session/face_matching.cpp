@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -129,14 +130,46 @@ double sharedNeighbors(const FaceLook& before, const FaceLook& after, const Pair
 
 using Options = std::vector<std::vector<PairingOption>>;
 
+/// Those of one name, whatever else differs.
+class NamedPairs {
+public:
+    NamedPairs(std::span<const FaceLook> before, std::span<const FaceLook> after)
+        : m_after(before.size())
+        , m_isTaken(after.size())
+    {
+        std::unordered_map<std::string_view, std::uint32_t> named;
+        for (std::uint32_t a = 0; a < after.size(); ++a)
+            if (!after[a].name.empty())
+                named.emplace(after[a].name, a);
+        for (std::size_t b = 0; b < before.size(); ++b)
+            if (const auto found = named.find(before[b].name); found != named.end()) {
+                m_after[b] = found->second;
+                m_isTaken[found->second] = true;
+            }
+    }
+
+    std::optional<std::uint32_t> partnerOf(std::size_t before) const { return m_after[before]; }
+    bool isTaken(std::size_t after) const { return m_isTaken[after]; }
+
+private:
+    Pairs m_after; // by the number of the face before
+    std::vector<bool> m_isTaken;
+};
+
 Options optionsOf(std::span<const FaceLook> before, const Box& boxBefore, std::span<const FaceLook> after,
-                  const Box& boxAfter, const TaskControl& control)
+                  const Box& boxAfter, const NamedPairs& named, const TaskControl& control)
 {
     Options options(before.size());
     forEachBlock(before.size(), facesAtOnce, control, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
+            if (const auto partner = named.partnerOf(b)) {
+                options[b].push_back({*partner, 0});
+                continue;
+            }
             for (std::uint32_t a = 0; a < after.size(); ++a)
-                if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
+                if (named.isTaken(a))
+                    continue;
+                else if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
                     options[b].push_back({a, cost});
             std::ranges::stable_sort(options[b], {}, &PairingOption::cost);
             options[b].resize(std::min(options[b].size(), mostOptions));
@@ -188,8 +221,14 @@ std::vector<FaceLook> faceLooks(const Part& part, const TaskControl& control)
             look.bulge +=
                 crossOf(corners).dot((corners[0] + corners[1] + corners[2]) / 3 - look.center) / 2 / look.area;
     }
-    for (std::size_t f = 0; f < part.faces.size(); ++f)
+    std::unordered_map<std::string_view, std::size_t> uses;
+    for (const PartFace& face : part.faces)
+        ++uses[face.name];
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
         looks[f].color = part.faces[f].color;
+        if (uses[part.faces[f].name] == 1)
+            looks[f].name = part.faces[f].name;
+    }
     if (hasFaces)
         addNeighbors(mesh, looks, control);
     return looks;
@@ -202,7 +241,8 @@ std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& b
     std::vector<FaceLook> there;
     for (const FaceLook& look : before)
         there.push_back(carried(look, to));
-    const Options plain = optionsOf(there, carried(boxBefore, to), after, boxAfter, control);
+    const NamedPairs named(before, after);
+    const Options plain = optionsOf(there, carried(boxBefore, to), after, boxAfter, named, control);
     Options options = plain;
     Pairs pairs;
     for (int round = 0; round < rounds; ++round) {
@@ -217,7 +257,9 @@ std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& b
         const auto chosen = std::ranges::find(options[b], *pairs[b], &PairingOption::other);
         matches.push_back({.before = b,
                            .after = *pairs[b],
-                           .by = haveSameColor(there[b], after[*pairs[b]]) ? FoundBy::color : FoundBy::place,
+                           .by = named.partnerOf(b)                          ? FoundBy::name
+                                 : haveSameColor(there[b], after[*pairs[b]]) ? FoundBy::color
+                                                                             : FoundBy::place,
                            .score = std::clamp(1 - chosen->cost / (costOfNone + neighborWeight), 0.0, 1.0)});
     }
     return matches;

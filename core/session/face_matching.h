@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace knead {
@@ -28,6 +29,7 @@ struct FaceLook {
     Mat3 spread = Mat3::Zero(); ///< mean of n n^T: rank 1 for a plane, 2 for a cylinder, trace 1
     double bulge = 0; ///< mean of (x - center) . n [m]: the radius of a whole cylinder or ball, negative for a hole
     std::optional<Color> color;           ///< that the file gives it
+    std::string name = {};                ///< that the file gives it and no other face of the part; else empty
     std::vector<std::uint32_t> neighbors; ///< faces that share an edge with it, ascending
 };
 
@@ -35,7 +37,7 @@ struct FaceLook {
 std::vector<FaceLook> faceLooks(const Part& part, const TaskControl& control = TaskControl::none());
 
 /// How a face was found again.
-enum class FoundBy : std::uint8_t { color, place };
+enum class FoundBy : std::uint8_t { name, color, place };
 
 /// A face of one part and the one that it is on another.
 struct FaceMatch {
@@ -45,9 +47,10 @@ struct FaceMatch {
     double score = 0; ///< 1: alike in all, 0: barely
 };
 
-/// Which face of another part is which of this one. Each is compared by the kind of its surface, its size, its normal, its place in
-/// the box of the part, counted from whichever end fits better, and, once neighbors are known, by these. Pairs are those of the least
-/// sum of differences. A second for 2000 faces on one thread; on all threads.
+/// Which face of another part is which of this one. Faces of one name are the same face, whatever else differs. Each other one is
+/// compared by the kind of its surface, its size, its normal, its place in the box of the part, counted from whichever end fits
+/// better, and, once neighbors are known, by these. Pairs are those of the least sum of differences. A second for 2000 faces on one
+/// thread; on all threads.
 /// @param to what takes the part to the other one
 /// @return by FaceMatch::before, ascending; faces that were not found are missing @throws Cancelled
 std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& boxBefore,

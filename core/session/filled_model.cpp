@@ -195,6 +195,12 @@ Color faceColor(const Part& part, std::uint32_t face)
     return face < part.faces.size() ? part.faces[face].color.value_or(own) : own;
 }
 
+std::string nameOfFace(const FilledModel& content, BodyId body, std::uint32_t face)
+{
+    const std::vector<PartFace>& faces = content.model->parts[content.bodies[body]->part].faces;
+    return face < faces.size() ? faces[face].name : std::string();
+}
+
 std::set<std::size_t> FilledModel::hiddenAtFirst() const
 {
     std::set<std::size_t> hidden;

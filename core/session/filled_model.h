@@ -115,6 +115,9 @@ std::string uniqueName(const std::string& name, std::set<std::string>& taken);
 /// The color of a CAD face.
 Color faceColor(const Part& part, std::uint32_t face);
 
+/// The name that the file gives a CAD face; empty: none. @pre body < content.bodies.size()
+std::string nameOfFace(const FilledModel& content, BodyId body, std::uint32_t face);
+
 struct Frame; // core/session/frame.h
 
 /// A content with the simulation of its bodies and what is drawn at its start, as a task hands it over.

@@ -158,6 +158,8 @@ RegionSize sizeOf(const Region& region, const FilledModel& content, const Frame&
             break;
         case Level::Face:
             size.area += areaOf(body, frame, items);
+            if (size.count == 1)
+                size.name = nameOfFace(content, id, static_cast<std::uint32_t>(items.front()));
             break;
         case Level::Edge:
             size.length += lengthOfEdges(body, frame, items);

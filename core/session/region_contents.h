@@ -4,6 +4,7 @@
 #include "core/session/region.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace knead {
@@ -11,9 +12,10 @@ namespace knead {
 /// How much is in a region.
 struct RegionSize {
     std::size_t count = 0;
-    double length = 0; ///< of edges and connections, now [m]
-    double area = 0;   ///< of faces, now [m^2]
-    double volume = 0; ///< of parts, now; of objects, their share of the body at rest [m^3]
+    std::string name = {}; ///< of a face that is alone; empty where the file gives it none
+    double length = 0;     ///< of edges and connections, now [m]
+    double area = 0;       ///< of faces, now [m^2]
+    double volume = 0;     ///< of parts, now; of objects, their share of the body at rest [m^3]
 };
 RegionSize sizeOf(const Region& region, const FilledModel& content, const Frame& now);
 

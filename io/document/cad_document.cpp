@@ -154,7 +154,7 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
                                   : other);
         }
     }
-    result.names = namesOfStepSolids(reader.Reader());
+    result.names = namesOfStepShapes(reader.Reader());
     StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
     result.missing.insert(result.missing.end(), losses.missing.begin(), losses.missing.end());

@@ -75,7 +75,7 @@ struct CadDocument {
     CadNode root;
     ShapeColors colors;
     ShapeDisplays displays;
-    ShapeNotes<std::string> names; ///< of solids, where the file names them apart from the assembly
+    ShapeNotes<std::string> names; ///< of solids and faces, where the file names them apart from the assembly
 };
 
 /// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.

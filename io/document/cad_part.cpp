@@ -52,20 +52,21 @@ std::unordered_map<const void*, Color> colorsOfShells(const TopoDS_Shape& origin
     return result;
 }
 
-void addColors(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors, Part& part)
+/// Their colors and names.
+void addFaces(const CadBody& body, const CadNode& leaf, const CadDocument& notes, Part& part)
 {
-    part.color = colors.find(body.original);
+    part.color = notes.colors.find(body.original);
     if (!part.color)
-        part.color = defaultColor;
-    const auto ofShells = colorsOfShells(body.original, colors);
+        part.color = leaf.color;
+    const auto ofShells = colorsOfShells(body.original, notes.colors);
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
     for (int i = 1; i <= faces.Extent(); ++i) {
         const TopoDS_Shape face = body.originOf(faces(i));
-        std::optional<Color> color = colors.find(face);
+        std::optional<Color> color = notes.colors.find(face);
         if (const auto found = ofShells.find(face.TShape().get()); !color && found != ofShells.end())
             color = found->second;
-        part.faces.push_back({color});
+        part.faces.push_back({color, notes.names.find(face).value_or(std::string())});
     }
 }
 
@@ -164,8 +165,8 @@ std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape)
     return bodies;
 }
 
-Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
-              const ImportOptions& options, TaskControl& control)
+Part makePart(const CadBody& body, const CadNode& leaf, const CadDocument& notes, const ImportOptions& options,
+              TaskControl& control)
 {
     control.report(0, "measuring parts");
     const TopoDS_Shape& shape = body.shape;
@@ -179,7 +180,7 @@ Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, con
     part.box = boxOfFaces(shape);
     const FaceIntegrals integrals = body.measured();
     part.area = std::pow(millimeter, 2) * integrals.area;
-    addColors(body, defaultColor, colors, part);
+    addFaces(body, leaf, notes, part);
     simplifyColors(part);
 
     const int freeEdges = freeEdgesOf(shape).Extent();

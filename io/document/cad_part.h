@@ -14,9 +14,10 @@ namespace knead {
 std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape);
 
 /// Measures and tessellates one body: everything a Part holds but its name and path.
-/// @param defaultColor of the leaf the body comes from
+/// @param leaf that the body comes from
+/// @param notes what the document says of its shapes
 /// @throws Cancelled
-Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
-              const ImportOptions& options, TaskControl& control = TaskControl::none());
+Part makePart(const CadBody& body, const CadNode& leaf, const CadDocument& notes, const ImportOptions& options,
+              TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -56,8 +56,8 @@ bool isSameProduct(const PartsToWrite& a, const PartsToWrite& b)
     };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const CadPartToWrite* x, const CadPartToWrite* y) {
         return x->shape.TShape() == y->shape.TShape() && x->shape.Orientation() == y->shape.Orientation() &&
-               within(a, *x) == within(b, *y) && x->color == y->color && x->faceColors == y->faceColors &&
-               x->layer == y->layer && x->visible == y->visible;
+               within(a, *x) == within(b, *y) && x->color == y->color && x->faces == y->faces && x->layer == y->layer &&
+               x->visible == y->visible;
     });
 }
 
@@ -186,11 +186,15 @@ private:
             m_layers->SetLayer(label, extended(part.layer));
         TopTools_IndexedMapOfShape faces;
         TopExp::MapShapes(shape, TopAbs_FACE, faces);
-        const auto count = std::min(part.faceColors.size(), static_cast<std::size_t>(faces.Extent()));
-        for (std::size_t i = 0; i < count; ++i)
-            if (part.faceColors[i])
-                m_colors->SetColor(m_shapes->AddSubShape(product, faces(static_cast<int>(i) + 1)),
-                                   quantity(*part.faceColors[i]), XCAFDoc_ColorSurf);
+        const auto count = std::min(part.faces.size(), static_cast<std::size_t>(faces.Extent()));
+        for (std::size_t i = 0; i < count; ++i) {
+            const TopoDS_Shape& face = faces(static_cast<int>(i) + 1);
+            if (part.faces[i].color)
+                m_colors->SetColor(m_shapes->AddSubShape(product, face), quantity(*part.faces[i].color),
+                                   XCAFDoc_ColorSurf);
+            if (!part.faces[i].name.empty())
+                m_names.emplace_back(face, part.faces[i].name);
+        }
     }
 
     /// Programs take two products of one name for one. A bent instance is no longer what its product is: it goes by its own

@@ -53,12 +53,12 @@ std::uint32_t originOf(std::uint32_t face, const ReadyPart& ready)
     return ready.manner == FaceManner::divided ? ready.originOfDivided[face] : face;
 }
 
-void setColorsByOrigin(const Part& part, ReadyPart& ready)
+void setFacesByOrigin(const Part& part, ReadyPart& ready)
 {
     std::vector<std::uint32_t> origin;
     for (const std::uint32_t face : ready.origin)
         origin.push_back(originOf(face, ready));
-    setFaceColors(part, origin, ready.out);
+    setFaces(part, origin, ready.out);
 }
 
 /// What came of bending faces.
@@ -135,7 +135,7 @@ private:
         m_ready.originOfDivided = divided.origin;
         m_ready.manner = FaceManner::divided;
         m_ready.next = FaceManner::flat;
-        setFaceColors(m_part.part, divided.origin, m_ready.out);
+        setFaces(m_part.part, divided.origin, m_ready.out);
         m_ready.report.remarks.push_back(added == 1
                                              ? Message("Export", "1 face was added: those that close in themselves "
                                                                  "came in two, which other programs read more surely.")
@@ -236,7 +236,7 @@ private:
                  ? Message("Export", "\"%1\": face %2 is made of flat triangles; its other faces are smooth.")
                  : Message("Export", "\"%1\": faces %2 are made of flat triangles; its other faces are smooth."))
                 .with(report.name, numbersOf(ofPart)));
-        setColorsByOrigin(m_part.part, m_ready);
+        setFacesByOrigin(m_part.part, m_ready);
         m_ready.next = FaceManner::flat;
     }
 
@@ -272,14 +272,14 @@ void putFaceFirst(const Part& part, std::size_t first, ReadyPart& ready)
     const std::vector<std::uint32_t> before = std::exchange(ready.origin, {});
     for (const std::uint32_t face : ordered.order)
         ready.origin.push_back(before.empty() ? face : before[face]);
-    setColorsByOrigin(part, ready);
+    setFacesByOrigin(part, ready);
 }
 
-void setFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)
+void setFaces(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)
 {
-    out.faceColors.clear();
+    out.faces.clear();
     for (const std::uint32_t face : origin)
-        out.faceColors.push_back(face < part.faces.size() ? part.faces[face].color : std::nullopt);
+        out.faces.push_back(face < part.faces.size() ? part.faces[face] : PartFace{});
 }
 
 TopoDS_Shape outward(const TopoDS_Shape& shape)

@@ -24,9 +24,9 @@ Message bendFaces(const PartToExport& part, const FaceChoice& choice, TaskContro
 /// @param skin numbered by the faces of the part
 TriangleMesh skinOfFlatFaces(const ReadyPart& ready, const TriangleMesh& skin);
 
-/// Gives faces that are written the colors of those that they are of.
+/// Gives faces that are written the colors and names of those that they are of.
 /// @param origin per face that is written: which of the part it is of
-void setFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out);
+void setFaces(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out);
 
 /// Writes another face of each solid first, see withFaceFirst().
 void putFaceFirst(const Part& part, std::size_t first, ReadyPart& ready);

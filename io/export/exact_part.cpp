@@ -139,7 +139,7 @@ void makeFaceted(const PartToExport& part, const Message& reason, ReadyPart& rea
     ready.report.form = PartExportReport::Form::faceted;
     ready.report.tolerance = std::max(ready.report.tolerance, facetDeflection * part.part.box.diagonal().norm());
     ready.report.reason = reason;
-    setFaceColors(part.part, solid.origin, ready.out);
+    setFaces(part.part, solid.origin, ready.out);
 }
 
 /// @param shape [mm]
@@ -200,7 +200,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     ready.source = shape;
     std::vector<std::uint32_t> own(part.part.faces.size());
     std::iota(own.begin(), own.end(), 0U);
-    setFaceColors(part.part, own, ready.out);
+    setFaces(part.part, own, ready.out);
     if (!isMoved) {
         ready.out.shape = part.part.watertight ? outward(ready.source) : ready.source;
         report.keptFaces = report.facesBefore;

@@ -43,10 +43,16 @@ bool keepsColors(const CadPartToWrite& written, const Part& back)
     const auto colorOf = [](const std::optional<Color>& own, const std::optional<Color>& whole) {
         return own ? own : whole;
     };
-    for (std::size_t i = 0; i < std::min(written.faceColors.size(), back.faces.size()); ++i)
-        if (!isClose(colorOf(written.faceColors[i], written.color), colorOf(back.faces[i].color, back.color)))
+    for (std::size_t i = 0; i < std::min(written.faces.size(), back.faces.size()); ++i)
+        if (!isClose(colorOf(written.faces[i].color, written.color), colorOf(back.faces[i].color, back.color)))
             return false;
-    return !written.faceColors.empty() || isClose(written.color, back.color);
+    return !written.faces.empty() || isClose(written.color, back.color);
+}
+
+bool keepsNamesOfFaces(const CadPartToWrite& written, const Part& back)
+{
+    return std::equal(written.faces.begin(), written.faces.end(), back.faces.begin(), back.faces.end(),
+                      [](const PartFace& a, const PartFace& b) { return a.name == b.name; });
 }
 
 TopoDS_Shape asOne(const std::vector<TopoDS_Shape>& shapes)
@@ -111,6 +117,10 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.nameKept = report.nameKept && back->name.starts_with(written.out.name);
         report.colorsKept = report.colorsKept && (backs.size() > 1 || keepsColors(written.out, *back));
     }
+    const bool hasNamedFaces =
+        std::ranges::any_of(written.out.faces, [](const PartFace& face) { return !face.name.empty(); });
+    if (hasNamedFaces && backs.size() == 1 && !keepsNamesOfFaces(written.out, *backs.front()))
+        report.remarks.push_back(Message("Export", "not all names of its faces were found again."));
     if (written.cameBackInsideOut)
         report.remarks.push_back(Message("Export", "other programs may read it inside out, as it came back here."));
     if (report.form == PartExportReport::Form::faceted)

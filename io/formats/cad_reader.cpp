@@ -251,7 +251,7 @@ private:
                                   TaskControl& control)
     {
         try {
-            Part part = makePart(body, node.color, m_document.colors, m_options, control);
+            Part part = makePart(body, node, m_document, m_options, control);
             warnOfLostFaces(body, part);
             const std::optional<Message> sickness = sicknessOf(part);
             if (!sickness)

@@ -84,7 +84,7 @@ std::string writeStep(const Handle(TDocStd_Document) & document, const NamedShap
     control.throwIfCancelled();
     if (!done)
         throw Problem(Message("Export", "The parts could not be put into STEP."));
-    nameSolids(shapes, writer.ChangeWriter());
+    nameShapes(shapes, writer.ChangeWriter());
     takePartNumbersApart(writer.ChangeWriter());
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     header.SetOriginatingSystem(new TCollection_HAsciiString("Knead"));

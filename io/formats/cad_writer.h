@@ -18,13 +18,13 @@ struct CadPartToWrite {
     TopoDS_Shape shape; ///< placed in the world [mm]
     std::string name;
     std::optional<Color> color;
-    std::vector<std::optional<Color>> faceColors; ///< of the faces as TopExp::MapShapes() numbers them; may be shorter
+    std::vector<PartFace> faces; ///< as TopExp::MapShapes() numbers them; may be fewer
     std::string layer;
     bool visible = true;
 };
 
 /// Writes parts to STEP (AP214 or AP242, with curves on surfaces), IGES (solids) or BREP (shapes alone), in an assembly with
-/// names, colors of parts and faces, and layers. Take an OcctSession before.
+/// names and colors of parts and faces (IGES has no names of faces), and layers. Take an OcctSession before.
 /// @param tree whose parts are numbers among `parts`; those that are not in it are left out
 /// @param options its unit must be one of lengthUnits()
 /// @return the bytes of the file

@@ -205,6 +205,12 @@ private:
         part.color = colorOrNone(json.at("color"));
         for (const Json& face : json.at("faces"))
             part.faces.push_back({colorOrNone(face)});
+        for (const Json& named : json.value("faceNames", Json::array())) { // earlier versions have none
+            const auto face = named.at(0).get<std::size_t>();
+            if (face >= part.faces.size())
+                fail("a face that it does not have is named");
+            part.faces[face].name = named.at(1).get<std::string>();
+        }
         part.mesh = mesh(json, part.faces.size());
         if (const auto shape = json.find("exact"); shape != json.end())
             part.exact = exact(*shape);

@@ -114,9 +114,16 @@ private:
             json["box"] = {numbers(part.box.min()), numbers(part.box.max())};
         if (part.exact)
             json["exact"] = {exactBytes(part.exact->bytes), part.exact->number, part.exact->unit};
-        Json& faces = json["faces"] = Json::array();
-        for (const PartFace& face : part.faces)
-            faces.push_back(colorOrNull(face.color));
+        Json faces = Json::array();
+        Json names = Json::array();
+        for (std::size_t f = 0; f < part.faces.size(); ++f) {
+            faces.push_back(colorOrNull(part.faces[f].color));
+            if (!part.faces[f].name.empty())
+                names.push_back({f, part.faces[f].name});
+        }
+        json["faces"] = std::move(faces);
+        if (!names.empty())
+            json["faceNames"] = std::move(names);
         Json& edges = json["openEdges"] = Json::array();
         for (const std::vector<Vec3>& edge : part.openEdges)
             edges.push_back(array(edge));

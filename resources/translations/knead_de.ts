@@ -2213,6 +2213,10 @@
         <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
         <translation>„%1“: Alle Verformungen wurden in einem Schritt ausgeführt, über die Ebenen einzelner hinweg.</translation>
     </message>
+    <message>
+        <source>not all names of its faces were found again.</source>
+        <translation>nicht alle Namen seiner Flächen wurden wiedergefunden.</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -8076,6 +8080,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 Verbindungen, %2</translation>
+    </message>
+    <message>
+        <source>Face &quot;%1&quot;, %2</source>
+        <translation>Fläche „%1“, %2</translation>
     </message>
 </context>
 <context>

@@ -1741,7 +1741,7 @@
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis déformez de nouveau.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis déformez de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -2212,6 +2212,10 @@
     <message>
         <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
         <translation>« %1 » : toutes les déformations ont été appliquées en une étape, à travers les plans de certaines d’entre elles.</translation>
+    </message>
+    <message>
+        <source>not all names of its faces were found again.</source>
+        <translation>tous les noms de ses faces n’ont pas été retrouvés.</translation>
     </message>
 </context>
 <context>
@@ -4783,7 +4787,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Arrows, PgUp, PgDn: place   Space: play, and it presses   %1: orbit</source>
-        <translation>Flèches, Pg préc, Pg suiv : placer   Espace : lancer, et il appuie   %1 : tourner</translation>
+        <translation>Flèches, Pg préc, Pg suiv&#xa0;: placer   Espace&#xa0;: lancer, et il appuie   %1&#xa0;: tourner</translation>
     </message>
 </context>
 <context>
@@ -8076,6 +8080,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 liaisons, %2</translation>
+    </message>
+    <message>
+        <source>Face &quot;%1&quot;, %2</source>
+        <translation>Face « %1 », %2</translation>
     </message>
 </context>
 <context>

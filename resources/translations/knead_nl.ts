@@ -2213,6 +2213,10 @@
         <source>&quot;%1&quot;: it was carried by all deformations in one step, across the planes of single ones.</source>
         <translation>&quot;%1&quot;: alle vervormingen zijn in één stap uitgevoerd, over de grensvlakken van afzonderlijke heen.</translation>
     </message>
+    <message>
+        <source>not all names of its faces were found again.</source>
+        <translation>niet alle namen van zijn vlakken zijn teruggevonden.</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -8076,6 +8080,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 verbindingen, %2</translation>
+    </message>
+    <message>
+        <source>Face &quot;%1&quot;, %2</source>
+        <translation>Vlak &quot;%1&quot;, %2</translation>
     </message>
 </context>
 <context>

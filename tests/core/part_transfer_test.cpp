@@ -199,6 +199,30 @@ private slots:
         QVERIFY(transfer.report.leftOut.empty());
     }
 
+    void facesOfOneNameAreTheSameFace()
+    {
+        Part before = bracket(0.05, 0.04);
+        Part after = bracket(0.055, 0.04, true);
+        const std::uint32_t foot = faceAt(before, {0.03, wall, width / 2});
+        const std::uint32_t end = faceAt(after, {0.055, wall / 2, width / 2});
+        const std::uint32_t footAfter = faceAt(after, {0.03, wall, width / 2});
+        before.faces[foot].name = "seat";
+        after.faces[end].name = "seat";
+        const auto isFoot = [&](const FaceMatch& match) { return match.before == foot; };
+        const auto match = [&] {
+            const std::vector<FaceMatch> matches =
+                matchFaces(faceLooks(before), before.box, faceLooks(after), after.box, {});
+            return *std::ranges::find_if(matches, isFoot);
+        };
+        QCOMPARE(match().after, end);
+        QCOMPARE(match().by, FoundBy::name);
+        QCOMPARE(match().score, 1.0);
+        // A name of several faces says nothing of which is which.
+        after.faces[footAfter].name = "seat";
+        QCOMPARE(match().after, footAfter);
+        QCOMPARE(match().by, FoundBy::place);
+    }
+
     void aFaceThatIsNotThereIsReported()
     {
         Recipe recipe = pressed();

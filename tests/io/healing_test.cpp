@@ -223,18 +223,19 @@ void HealingTest::shortEdgesAreNotNearTheirNeighbors()
 void HealingTest::faceColorsSurvive()
 {
     const Faces faces = separateFaces(box(10, 20, 30));
-    ShapeColors colors;
+    CadDocument document;
     const auto colorOf = [](std::size_t face) { return Color{0.1F * static_cast<float>(face), 0.5F, 0.5F}; };
     std::vector<Vec3> middles; // [m]
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        colors.set(faces[i], colorOf(i));
+        document.colors.set(faces[i], colorOf(i));
+        document.names.set(faces[i], "side " + std::to_string(i));
         GProp_GProps properties;
         BRepGProp::SurfaceProperties(faces[i], properties);
         const gp_Pnt middle = properties.CentreOfMass();
         middles.emplace_back(1e-3 * middle.X(), 1e-3 * middle.Y(), 1e-3 * middle.Z());
     }
     const CadBody body = healed(compound(faces)).front();
-    const Part part = makePart(body, {}, colors, {});
+    const Part part = makePart(body, {}, document, {});
     QCOMPARE(part.faces.size(), faces.size());
     for (std::uint32_t face = 0; face < part.faces.size(); ++face) {
         Box ofFace;
@@ -246,7 +247,9 @@ void HealingTest::faceColorsSurvive()
             return (middle - ofFace.center()).norm() < 1e-9;
         });
         QVERIFY(original != middles.end());
-        QCOMPARE(part.faces[face].color.value(), colorOf(static_cast<std::size_t>(original - middles.begin())));
+        const auto side = static_cast<std::size_t>(original - middles.begin());
+        QCOMPARE(part.faces[face].color.value(), colorOf(side));
+        QCOMPARE(part.faces[face].name, "side " + std::to_string(side));
     }
 }
 

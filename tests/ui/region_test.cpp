@@ -25,6 +25,7 @@ Part boxPart(const Vec3& size)
     part.name = "box";
     part.mesh = shapes::box(size);
     part.faces.resize(6);
+    part.faces[2].name = "seat %2";
     part.solids = part.shells = 1;
     part.watertight = part.valid = true;
     return part;
@@ -88,6 +89,25 @@ private slots:
             lengths.insert(static_cast<int>(
                 std::lround(1000 * sizeOf(regionOf(Level::Edge, 0, {chain}), box.content, *box.frame).length)));
         QCOMPARE(lengths, (std::multiset<int>{20, 20, 20, 20, 30, 30, 30, 30, 50, 50, 50, 50}));
+    }
+
+    void aFaceIsCalledByItsName()
+    {
+        const Filled box = filledBox({0.02, 0.03, 0.05});
+        const auto words = [&](const Region& region) {
+            return wordsFor(region, sizeOf(region, box.content, *box.frame));
+        };
+        QVERIFY(words(regionOf(Level::Face, 0, {2})).startsWith("Face \"seat %2\", "));
+        QVERIFY(words(regionOf(Level::Face, 0, {3})).startsWith("1 face, "));
+        QVERIFY(words(regionOf(Level::Face, 0, {2, 3})).startsWith("2 faces, "));
+        QVERIFY(words(regionOf(Level::Part, 0, {0})).startsWith("1 part, "));
+        FaceFixtures fixtures;
+        fixtures.toggle(box.content, 0, 2, 0);
+        fixtures.add(box.content, 0, {2});
+        fixtures.add(box.content, 0, {3});
+        QCOMPARE(fixtures.list().at(0).name, std::string("seat %2"));
+        QCOMPARE(fixtures.list().at(1).name, std::string("Fixture 2"));
+        QCOMPARE(fixtures.list().at(2).name, std::string("Fixture 3"));
     }
 
     void sizesAreThoseOfTheShape()

@@ -23,6 +23,9 @@ QString wordsFor(const Region& region, const RegionSize& size)
         return (isOne ? Words::tr("1 part, %2") : Words::tr("%1 parts, %2").arg(count))
             .replace("%2", formatReading(size.volume, Quantity::Volume));
     case Level::Face:
+        if (!size.name.empty())
+            return Words::tr("Face \"%1\", %2")
+                .arg(QString::fromStdString(size.name), formatReading(size.area, Quantity::Area));
         return (isOne ? Words::tr("1 face, %2") : Words::tr("%1 faces, %2").arg(count))
             .replace("%2", formatReading(size.area, Quantity::Area));
     case Level::Edge:

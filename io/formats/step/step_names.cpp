@@ -10,6 +10,7 @@
 #include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_FaceSurface.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
@@ -93,27 +94,31 @@ void takePartNumbersApart(STEPControl_Writer& writer)
     });
 }
 
-ShapeNotes<std::string> namesOfStepSolids(const STEPControl_Reader& reader)
+ShapeNotes<std::string> namesOfStepShapes(const STEPControl_Reader& reader)
 {
     ShapeNotes<std::string> names;
     const Handle(Transfer_TransientProcess)& process = reader.WS()->TransferReader()->TransientProcess();
-    forEach<StepShape_SolidModel>(reader.Model(), [&](const auto& solid) {
-        const std::string name = readableName(std::string_view(textOf(solid->Name())));
+    const auto take = [&](const Handle(StepRepr_RepresentationItem) & item) {
+        const std::string name = readableName(std::string_view(textOf(item->Name())));
         if (isGeneratedName(name))
             return;
-        if (const TopoDS_Shape shape = TransferBRep::ShapeResult(process, solid); !shape.IsNull())
+        if (const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item); !shape.IsNull())
             names.set(shape, name);
-    });
+    };
+    forEach<StepShape_SolidModel>(reader.Model(), take);
+    forEach<StepShape_FaceSurface>(reader.Model(), take);
     return names;
 }
 
-void nameSolids(const NamedShapes& shapes, STEPControl_Writer& writer)
+void nameShapes(const NamedShapes& shapes, STEPControl_Writer& writer)
 {
     const Handle(Transfer_FinderProcess)& process = writer.WS()->TransferWriter()->FinderProcess();
-    for (const auto& [shape, name] : shapes)
-        for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
-            if (const auto item = STEPConstruct::FindEntity(process, solids.Current()); !item.IsNull())
+    for (const auto& [shape, name] : shapes) {
+        const TopAbs_ShapeEnum kind = shape.ShapeType() == TopAbs_FACE ? TopAbs_FACE : TopAbs_SOLID;
+        for (TopExp_Explorer named(shape, kind); named.More(); named.Next())
+            if (const auto item = STEPConstruct::FindEntity(process, named.Current()); !item.IsNull())
                 item->SetName(asText(name));
+    }
 }
 
 } // namespace knead

@@ -30,11 +30,11 @@ std::string withPartNumber(const std::string& name, const std::string& partNumbe
 /// Gives the products that the writer made of such names their ids.
 void takePartNumbersApart(STEPControl_Writer& writer);
 
-/// Names that a file has for its solids and that a person would know: bodies of one product.
+/// Names that a file has for its solids and faces and that a person would know: bodies of one product, what a face is for.
 /// @pre shapes were made of it
-ShapeNotes<std::string> namesOfStepSolids(const STEPControl_Reader& reader);
+ShapeNotes<std::string> namesOfStepShapes(const STEPControl_Reader& reader);
 
-/// Gives the solids of shapes that were written the names of these.
-void nameSolids(const NamedShapes& shapes, STEPControl_Writer& writer);
+/// Gives faces that were written their names, and the solids of other shapes the names of these.
+void nameShapes(const NamedShapes& shapes, STEPControl_Writer& writer);
 
 } // namespace knead
