@@ -1,5 +1,7 @@
 #include "core/mechanics/manipulator.h"
 
+#include "core/geometry/turn.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,10 +68,9 @@ Pose advance(const Manipulator& manipulator, double time, double dt)
     Pose pose = std::visit(Advance{manipulator, time, dt}, manipulator.motion);
     if (manipulator.rolls()) {
         const Quaternion& now = manipulator.pose.rotation;
-        pose.rotation =
-            manipulator.kind == ToolKind::ball
-                ? now
-                : (Quaternion::FromTwoVectors(now * Vec3::UnitZ(), pose.rotation * Vec3::UnitZ()) * now).normalized();
+        pose.rotation = manipulator.kind == ToolKind::ball
+                            ? now
+                            : (turnOnto(now * Vec3::UnitZ(), pose.rotation * Vec3::UnitZ()) * now).normalized();
     }
     return pose;
 }

@@ -1,5 +1,7 @@
 #include "core/session/press_pose.h"
 
+#include "core/geometry/turn.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +13,7 @@ namespace {
 /// Turned the least so that `axis`, of length 1, lies along `wanted`.
 Quaternion turned(const Quaternion& rotation, const Vec3& axis, const Vec3& wanted)
 {
-    return (Quaternion::FromTwoVectors(axis, wanted) * rotation).normalized();
+    return (turnOnto(axis, wanted) * rotation).normalized();
 }
 
 Quaternion facing(const ToolShape& shape, const Quaternion& rotation, const Vec3& normal)

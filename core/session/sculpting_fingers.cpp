@@ -1,4 +1,5 @@
 // The fingers of a stroke: rigid tools that go over the surface as it was.
+#include "core/geometry/turn.h"
 #include "core/session/sculpting.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ Pose SculptStroke::poseOf(const Touch& touch, bool isAway) const
     Pose pose;
     pose.position = mirrored(place, touch.mirror) + (reach + above) * outward;
     if (isFlat)
-        pose.rotation = Quaternion::FromTwoVectors(Vec3::UnitZ(), outward);
+        pose.rotation = turnOnto(Vec3::UnitZ(), outward);
     return pose;
 }
 

@@ -3,6 +3,7 @@
 #include "core/aggregate/fill.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/surface_distance.h"
+#include "core/geometry/turn.h"
 #include "support/shapes.h"
 
 #include <QtTest>
@@ -250,7 +251,7 @@ private slots:
     void slenderDiagonalPartsCostOnlyTheirOwnCells()
     {
         // The bounding box has 2e9 cells, the part 20 000: anything stored per cell of the box would not fit.
-        const Pose diagonal{Vec3::Zero(), Quaternion::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1.01))};
+        const Pose diagonal{Vec3::Zero(), turnOnto(Vec3::UnitZ(), Vec3(1, 1, 1.01))};
         const TriangleMesh mesh = shapes::moved(shapes::box(Vec3(3, 3, 2200)), diagonal);
         const Aggregate aggregate = fill(mesh, {.spacing = 1});
         QVERIFY(aggregate.size() < 80'000);

@@ -1,5 +1,6 @@
 // Flow stress of parts that were cut from the lattice in any direction: what is typed is what a testing machine finds.
 #include "core/aggregate/fill.h"
+#include "core/geometry/turn.h"
 #include "core/simulation/simulation.h"
 #include "support/scenes.h"
 #include "support/shapes.h"
@@ -27,7 +28,7 @@ Material metal(double modulus, double yieldStress, double hardening)
 /// A bar whose axis z lies along a direction of the lattice.
 Body bar(const Vec3& direction, double length, double cells, const Material& material)
 {
-    const Quaternion turn = Quaternion::FromTwoVectors(Vec3::UnitZ(), direction.normalized());
+    const Quaternion turn = turnOnto(Vec3::UnitZ(), direction.normalized());
     const TriangleMesh mesh = shapes::moved(shapes::box({width, width, length}), {Vec3::Zero(), turn});
     return {.name = "bar",
             .aggregate = std::make_shared<const Aggregate>(fill(mesh, {.spacing = width / cells})),
@@ -46,7 +47,7 @@ Scene implicitScene(const Body& body, double duration)
 /// Between two plates without friction, by a share of its height. @return mean force over the last tenth of the way [N]
 double press(const Vec3& direction, double cells, const Material& material, double share, double duration)
 {
-    const Quaternion turn = Quaternion::FromTwoVectors(Vec3::UnitZ(), direction.normalized());
+    const Quaternion turn = turnOnto(Vec3::UnitZ(), direction.normalized());
     Scene scene = implicitScene(bar(direction, width, cells, material), duration);
     constexpr double thickness = 0.004;
     for (const double side : {-1.0, 1.0}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/fill.h"
+#include "core/geometry/turn.h"
 #include "support/shapes.h"
 #include "support/static_solver.h"
 
@@ -40,7 +41,7 @@ inline TriangleMesh meshOf(Section section, double width, double length)
     if (section == Section::Square)
         return shapes::box({length, width, width});
     return shapes::moved(shapes::cylinder(width / 2, length, 96),
-                         {Vec3::Zero(), Quaternion::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX())});
+                         {Vec3::Zero(), turnOnto(Vec3::UnitZ(), Vec3::UnitX())});
 }
 
 /// A bar about its axis `along` through the origin.

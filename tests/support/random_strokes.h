@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/turn.h"
 #include "core/simulation/simulation.h"
 #include "support/fuzz_random.h"
 
@@ -87,8 +88,7 @@ private:
         else
             tool.size = Vec3(within(0.5, 1.6) * length, within(0.5, 1.6) * length, 0.07 * length);
         const Vec3 axis = tool.kind == ToolKind::cylinder ? Vec3::UnitX() : Vec3::UnitZ();
-        tool.pose.rotation =
-            Quaternion::FromTwoVectors(axis, from) * Quaternion(Eigen::AngleAxisd(within(0, std::numbers::pi), axis));
+        tool.pose.rotation = turnOnto(axis, from) * Quaternion(Eigen::AngleAxisd(within(0, std::numbers::pi), axis));
         tool.friction = within(0, 0.8);
         tool.forceLimit = within(5, 60);
         tool.speedLimit = within(0.03, 0.2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/turn.h"
 #include "core/session/sculpting.h"
 #include "support/soak_document.h"
 
@@ -176,7 +177,7 @@ private:
         const double y = number(0.1, 0.5) * size();
         const double z = tool.kind == ToolKind::plate ? 0.05 * size() : number(0.1, 0.5) * size();
         tool.size = fittingSize(tool.kind, Vec3(x, y, z));
-        tool.pose.rotation = Quaternion::FromTwoVectors(Vec3::UnitZ(), direction());
+        tool.pose.rotation = turnOnto(Vec3::UnitZ(), direction());
         tool.friction = number(0, 1);
         tool.forceLimit = m_random.chance(92) ? std::exp(number(0, 4)) : std::numeric_limits<double>::infinity();
         tool.speedLimit = number(0.03, 0.4);
@@ -230,7 +231,7 @@ private:
         tool.speedLimit = number(0.05, 0.3);
         tool.pose = pressPoses(tool.shape(),
                                Quaternion(Eigen::AngleAxisd(number(0, std::numbers::pi), spot.normal)) *
-                                   Quaternion::FromTwoVectors(-Vec3::UnitZ(), -spot.normal),
+                                   turnOnto(-Vec3::UnitZ(), -spot.normal),
                                spot.place, spot.normal, 0.02 * size())
                         .away;
         const ToolId id = m_document.now().nextTool;

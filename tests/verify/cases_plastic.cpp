@@ -1,4 +1,5 @@
 // Material beyond its yield stress: flow, bending, twisting.
+#include "core/geometry/turn.h"
 #include "verify/cases.h"
 
 #include <cmath>
@@ -58,7 +59,7 @@ void addBlocks(std::vector<Case>& cases)
                         {"111", "along a space diagonal of the lattice", Vec3(1, 1, 1), 30},
                         {"slow", "along the lattice, eight times slower", Vec3::UnitZ(), 240}};
     for (const Row& row : rows) {
-        const Pose pose{Vec3::Zero(), Quaternion::FromTwoVectors(Vec3::UnitZ(), row.axis)};
+        const Pose pose{Vec3::Zero(), turnOnto(Vec3::UnitZ(), row.axis)};
         cases.push_back(partCase(
             {.id = std::string("flow-") + row.name,
              .group = chapter,

@@ -1,5 +1,6 @@
 #include "ui/viewport/tool_actor.h"
 
+#include "core/geometry/turn.h"
 #include "ui/viewport/picker.h"
 #include "ui/viewport/stroke_actor.h"
 
@@ -150,7 +151,7 @@ void ToolActor::show(const ToolState& tool, double longestArrow)
     const double share = tool.peakForce > 0 ? std::min(1.0, force / tool.peakForce) : 1;
     const double length = longestArrow * std::max(shortestArrow, share);
     const Vec3 tail = tool.pose.position + exitDistance(tool, direction) * direction;
-    const Mat3 turn = Quaternion::FromTwoVectors(Vec3::UnitX(), direction).toRotationMatrix();
+    const Mat3 turn = turnOnto(Vec3::UnitX(), direction).toRotationMatrix();
     const double thickness = longestArrow * std::max(thinnestArrow, share);
     place(m_parts->arrowActor, turn, Vec3(length, thickness, thickness), tail);
     m_parts->label = tail + length * direction;
