@@ -368,6 +368,21 @@ private slots:
         QVERIFY(!readProject(bytesOf(file("b.knead"))).entries.empty());
     }
 
+    /// Whoever opened a file from elsewhere than a dialog.
+    void theFirstDialogBeginsBesideWhatWasOpened()
+    {
+        for (const char* key : {"folder", "projectFolder"})
+            QSettings().remove(key);
+        QVERIFY(QFile::copy(example("bar.step"), file("bar.step")));
+        m_window->open(QStringList(file("bar.step")));
+        waitForTasks();
+        QVERIFY(!document().isEmpty());
+        projects().saveAs();
+        QTRY_VERIFY(find<QFileDialog>("saveDialog") != nullptr);
+        QCOMPARE(find<QFileDialog>("saveDialog")->directory(), QDir(QFileInfo(file("bar.step")).absolutePath()));
+        find<QFileDialog>("saveDialog")->reject();
+    }
+
     void aNameOfAnotherKindGetsTheEnding()
     {
         openExample("bar.step", 10);

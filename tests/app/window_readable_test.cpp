@@ -370,6 +370,8 @@ private slots:
         QCOMPARE(ratioText(0.94), QString("0.94x real time"));
         QCOMPARE(ratioText(1), QString("1.00x real time"));
         QCOMPARE(ratioText(0.04), QString("0.040x real time"));
+        QCOMPARE(ratioText(0.0004), QString("<0.001x real time"));
+        QCOMPARE(ratioText(0), QString("0.000x real time"));
         openExample("bar.step", 10);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY(snapshot().playing && find<QLabel>("ratio")->text() != "Paused");

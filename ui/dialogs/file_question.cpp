@@ -1,5 +1,7 @@
 #include "ui/dialogs/file_question.h"
 
+#include "ui/project/recent_files.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -38,10 +40,18 @@ void makeColumnsWide(QFileDialog& dialog)
     dialog.resize(dialog.size().expandedTo(leastDialog));
 }
 
+/// Where files are written and read until a person says otherwise: beside what was opened last, if that is a place of their own.
+QString folderOfLastFile()
+{
+    const QStringList files = recent_files::list();
+    const QFileInfo folder(files.isEmpty() ? QString() : QFileInfo(files.front()).absolutePath());
+    return folder.isDir() && folder.isWritable() ? folder.absoluteFilePath() : QDir::homePath();
+}
+
 QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
 {
     const QSettings settings;
-    const QString last = settings.value(question.key, settings.value("folder", QDir::homePath())).toString();
+    const QString last = settings.value(question.key, settings.value("folder", folderOfLastFile())).toString();
     // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it. It
     // begins with a small one, or it would begin with the last one there was.
     auto* dialog = new QFileDialog(&parent, question.title, QDir::rootPath());

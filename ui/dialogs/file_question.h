@@ -10,8 +10,8 @@ class QWidget;
 
 namespace knead {
 
-/// What is asked. The folder of the answer is remembered in the settings; where none is yet, that of the last part is proposed, or
-/// the person's own.
+/// What is asked. The folder of the answer is remembered in the settings; where none is yet, that of what was opened last is
+/// proposed, or the person's own.
 struct FileQuestion {
     QString name;        ///< of the dialog as an object
     QString title;       ///< of the dialog

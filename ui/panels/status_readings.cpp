@@ -23,7 +23,10 @@ constexpr double realTime = 0.95; // from here on the ratio counts as real time
 
 Message ratioWords(double ratio)
 {
-    return Message("QObject", "%1x real time").with(localNumber(ratio, 'f', ratio < 0.1 ? 3 : 2).toStdString());
+    constexpr double leastShown = 0.001;
+    const QString number = ratio > 0 && ratio < leastShown ? QLatin1Char('<') + localNumber(leastShown, 'f', 3)
+                                                           : localNumber(ratio, 'f', ratio < 0.1 ? 3 : 2);
+    return Message("QObject", "%1x real time").with(number.toStdString());
 }
 
 QString ratioText(double ratio)

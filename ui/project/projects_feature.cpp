@@ -22,6 +22,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace knead {
@@ -173,7 +174,8 @@ bool ProjectsFeature::opened(const QStringList& paths)
 void ProjectsFeature::open(PreparedModel prepared)
 {
     m_keeper->open(std::move(prepared));
-    for (const std::string& path : m_bench.document.content().request.paths) {
+    const std::vector<std::string>& paths = m_bench.document.content().request.paths;
+    for (const std::string& path : std::views::reverse(paths)) { // the first one is the first of the list
         recent_files::add(QFile::decodeName(path.c_str()));
         keepPicture(QFileInfo(QFile::decodeName(path.c_str())).absoluteFilePath());
     }
