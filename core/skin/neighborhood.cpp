@@ -71,6 +71,8 @@ public:
     explicit Block(const Lattice::Node& low)
         : m_low(low)
     {
+        m_front.reserve(usualFront);
+        m_next.reserve(usualFront);
     }
 
     /// Takes in the objects that walks can come to from a box of nodes. To be called once.
@@ -103,18 +105,22 @@ public:
     /// All walks take one step along all connections of the objects they reached last.
     void step()
     {
-        std::swap(m_front, m_next);
-        m_next.clear();
-        for (Arrival& destination : m_front)
-            destination.walks = std::exchange(m_last[static_cast<std::size_t>(destination.place)], std::uint64_t{0});
-        for (const auto& [place, walks] : m_front)
-            for (std::uint32_t links = linksOf(place); links != 0; links &= links - 1)
-                reachPlace(place + stepsInBlock[static_cast<std::size_t>(std::countr_zero(links))], walks);
+        takeStep([this](std::int32_t place, std::uint64_t walks) { reachPlace(place, walks); });
+    }
+
+    /// The same where none comes after it: who came when need not be known.
+    void lastStep()
+    {
+        takeStep(
+            [this](std::int32_t place, std::uint64_t walks) { m_reached[static_cast<std::size_t>(place)] |= walks; });
     }
 
     /// In the order of their nodes, which is ascending.
     void tell(Neighborhood& around) const
     {
+        const auto count = m_reached.size() - static_cast<std::size_t>(std::ranges::count(m_reached, std::uint64_t{0}));
+        around.objects.reserve(count);
+        around.walksOf.reserve(count);
         SetNumbers numbers(around.walks);
         for (std::size_t place = 0; place < m_objects.size(); ++place)
             if (m_reached[place] != 0) {
@@ -128,6 +134,18 @@ private:
         std::int32_t place;
         std::uint64_t walks;
     };
+
+    template <typename Reach>
+    void takeStep(Reach reach)
+    {
+        std::swap(m_front, m_next);
+        m_next.clear();
+        for (Arrival& destination : m_front)
+            destination.walks = std::exchange(m_last[static_cast<std::size_t>(destination.place)], std::uint64_t{0});
+        for (const auto& [place, walks] : m_front)
+            for (std::uint32_t links = linksOf(place); links != 0; links &= links - 1)
+                reach(place + stepsInBlock[static_cast<std::size_t>(std::countr_zero(links))], walks);
+    }
 
     /// A bit for each step that can be taken from a place.
     std::uint32_t linksOf(std::int32_t place) const
@@ -153,6 +171,7 @@ private:
         reached |= isNew;
     }
 
+    static constexpr std::size_t usualFront = 256;
     Lattice::Node m_low;
     std::array<ObjectIndex, side * side * side> m_objects; // where any walk has come
     std::array<std::uint16_t, side * side * side> m_links{};
@@ -259,8 +278,9 @@ Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
     block.takeAround(box, m_lattice, m_rows, m_links);
     for (const Lattice::Node& start : starts)
         block.start(start, std::uint64_t{1} << walkFrom(Lattice::difference(start, owner.node)));
-    for (std::int32_t steps = 0; steps < reach; ++steps)
+    for (std::int32_t steps = 1; steps < reach; ++steps)
         block.step();
+    block.lastStep();
     block.tell(around);
     std::vector<Lattice::Node> nodes(around.objects.size());
     std::ranges::transform(around.objects, nodes.begin(), [&](ObjectIndex object) { return m_lattice.nodes[object]; });
