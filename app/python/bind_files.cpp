@@ -1,6 +1,7 @@
 #include "app/commands/morph_report.h"
 #include "app/commands/run_json.h"
 #include "app/morph_file.h"
+#include "app/physical_morph.h"
 #include "app/python/bindings.h"
 #include "app/python/script_control.h"
 #include "app/recipe_files.h"
@@ -92,6 +93,23 @@ py::object morph(const std::filesystem::path& part, const Wishes& wishes, const 
     return fromJson(jsonOf(report));
 }
 
+py::object morphByGrips(const std::filesystem::path& part, const NumberWish& wish, const std::filesystem::path& out,
+                        const std::string& material, std::optional<double> duration, bool letGo,
+                        std::optional<std::size_t> objects, const std::vector<std::string>& parts,
+                        const std::string& unit, double tolerance, py::object progress)
+{
+    const PhysicalMorphRequest request{.input = part,
+                                       .output = out,
+                                       .wishes = {wish},
+                                       .parts = parts,
+                                       .import = {},
+                                       .write = {.unit = unit, .tolerance = tolerance},
+                                       .physics = {material, duration, letGo, objects}};
+    const RunReport report =
+        computing(std::move(progress), [&](TaskControl& control) { return morphByPhysics(request, control); });
+    return fromJson(jsonOf(report));
+}
+
 FieldWish fieldOf(const std::filesystem::path& path, double factor, std::optional<std::size_t> step,
                   const std::string& component, const std::string& unit, const std::vector<std::string>& keepFaces,
                   std::optional<double> fade, const std::string& lock, bool inPlace)
@@ -172,6 +190,16 @@ void bindFiles(py::module_& module)
                "other. `factor` "
                "times the fields; `parts` by name or path, none: all. Returns what `knead morph --json` prints. Raises "
                "Error.");
+    module.def("morph_by_physics", &morphByGrips, py::arg("part"), py::arg("deformation"), py::arg("out"),
+               py::kw_only(), py::arg("material"), py::arg("duration") = py::none(), py::arg("let_go") = false,
+               py::arg("objects") = py::none(), py::arg("parts") = std::vector<std::string>(), py::arg("unit") = "",
+               py::arg("tolerance") = 0.0, py::arg("progress") = py::none(),
+               "Lets the material between the planes of a bend(), twist(), stretch() or shear() find its own shape, "
+               "while grips lead what lies beyond them, as `knead morph --physics` does. `material`: id of a preset, "
+               "\"plasticine\"; `duration` of the way of the grips [s], none: 1; `let_go`: one grip opens at the end, "
+               "and the "
+               "material springs back; `objects`: about how many, none: 20000; `parts`: one, none: all. Returns what "
+               "`knead run --json` prints. Raises Error.");
 }
 
 } // namespace knead::python

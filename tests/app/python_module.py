@@ -343,6 +343,22 @@ class TheModule(unittest.TestCase):
         self.assertEqual(report["deformations"], line["deformations"])
         self.assertEqual(report["parts"], line["parts"])
 
+    def test_physics_finds_the_shape_between_grips(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, "drawn.step")
+            grips = knead.stretch(1.3, axis=(1, 0, 0), start=-0.02, end=0.02)
+            how = {"material": "modeling-clay", "duration": 0.2, "objects": 300}
+            report = knead.morph_by_physics(EXAMPLES / "bar.step", grips, out, **how)
+            drawn = knead.read(out).parts[0]
+            with self.assertRaisesRegex(knead.Error, "no material \"cheese\""):
+                knead.morph_by_physics(EXAMPLES / "bar.step", grips, out, material="cheese")
+            with self.assertRaisesRegex(knead.Error, "do it exactly"):
+                knead.morph_by_physics(EXAMPLES / "bar.step", knead.taper(2), out, **how)
+            bar = knead.read(EXAMPLES / "bar.step").parts[0]
+        self.assertTrue(report["exports"][0]["sound"])
+        self.assertEqual(drawn.faces, bar.faces)
+        self.assertAlmostEqual(drawn.volume / bar.volume, 1, delta=0.01)
+
     def test_errors_are_sentences(self):
         with self.assertRaisesRegex(knead.Error, "nowhere.step"):
             knead.read("nowhere.step")
