@@ -15,8 +15,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace knead {
 
@@ -109,6 +111,23 @@ std::string plural(std::size_t count, const char* noun)
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::map<std::string, std::vector<std::size_t>> namedFaces(const Part& part)
+{
+    std::map<std::string, std::vector<std::size_t>> named;
+    for (std::size_t f = 0; f < part.faces.size(); ++f)
+        if (!part.faces[f].name.empty())
+            named[part.faces[f].name].push_back(f);
+    return named;
+}
+
+std::string listed(const std::vector<std::size_t>& numbers)
+{
+    std::string text;
+    for (const std::size_t number : numbers)
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
+    return text;
+}
+
 void printPart(const Part& part, int depth)
 {
     const int indent = 2 * depth;
@@ -130,9 +149,9 @@ void printPart(const Part& part, int depth)
     if (!part.layer.empty())
         std::printf(", layer %s", part.layer.c_str());
     std::printf("\n");
-    for (std::size_t f = 0; f < part.faces.size(); ++f)
-        if (!part.faces[f].name.empty())
-            std::printf("%*s  face %zu is named \"%s\"\n", indent, "", f, part.faces[f].name.c_str());
+    for (const auto& [name, faces] : namedFaces(part))
+        std::printf("%*s  faces \"%s\": %s\n", indent, "", name.c_str(),
+                    faces.size() == part.faces.size() ? "all" : listed(faces).c_str());
     for (const Message& repair : part.repairs)
         std::printf("%*s  repaired: %s\n", indent, "", repair.english().c_str());
     for (const Message& warning : part.warnings)

@@ -198,7 +198,10 @@ Color faceColor(const Part& part, std::uint32_t face)
 std::string nameOfFace(const FilledModel& content, BodyId body, std::uint32_t face)
 {
     const std::vector<PartFace>& faces = content.model->parts[content.bodies[body]->part].faces;
-    return face < faces.size() ? faces[face].name : std::string();
+    const auto isAsFirst = [&](const PartFace& one) { return one.name == faces.front().name; };
+    if (face >= faces.size() || (faces.size() > 1 && std::ranges::all_of(faces, isAsFirst)))
+        return {};
+    return faces[face].name;
 }
 
 std::set<std::size_t> FilledModel::hiddenAtFirst() const

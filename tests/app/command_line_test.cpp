@@ -20,6 +20,7 @@ private slots:
     void wrongUseEndsWithTwoAndOneSentence_data();
     void wrongUseEndsWithTwoAndOneSentence();
     void outputFolderThatCannotBeMadeFails();
+    void namesOfFacesComeAlong();
     void interruptLeavesNoFiles();
     void firstRecipeCanBeRun_data();
     void firstRecipeCanBeRun();
@@ -102,6 +103,32 @@ void CommandLineTest::outputFolderThatCannotBeMadeFails()
     const Outcome outcome = runKnead({"run", shop.write(pressRecipe()), "--out", shop.qPath("bar.stl/results")});
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.errors.find("cannot be made") != std::string::npos, outcome.errors.c_str());
+}
+
+/// From the file through the program that reads it, the one that writes it, and back.
+void CommandLineTest::namesOfFacesComeAlong()
+{
+    const Workshop shop;
+    std::ifstream original(KNEAD_RESOURCES "/examples/bracket.step");
+    std::string text{std::istreambuf_iterator<char>(original), {}};
+    const std::string noName = "ADVANCED_FACE('',";
+    for (const char* name : {"seat", "bore", "bore"})
+        text.replace(text.find(noName), noName.size(), "ADVANCED_FACE('" + std::string(name) + "',");
+    std::ofstream(shop.path("named.step")) << text;
+    const auto named = [&](const char* file) {
+        return json::parse(runKnead({"info", shop.qPath(file.toStdString()), "--json"}).out)
+            .at("parts")[0]
+            .at("named_faces");
+    };
+    const json before = named("named.step");
+    QCOMPARE(before.size(), std::size_t{3});
+    QCOMPARE(before[0].at("name").get<std::string>(), std::string("seat"));
+    const std::string said = runKnead({"info", shop.qPath("named.step")}).out;
+    QVERIFY2(said.find("faces \"bore\": ") != std::string::npos, said.c_str());
+    const Outcome bent =
+        runKnead({"morph", shop.qPath("named.step"), "--twist", "10", "--output", shop.qPath("bent.step")});
+    QVERIFY2(bent.status == 0, bent.errors.c_str());
+    QVERIFY(named("bent.step") == before);
 }
 
 void CommandLineTest::interruptLeavesNoFiles()

@@ -101,6 +101,13 @@ private slots:
         QVERIFY(words(regionOf(Level::Face, 0, {3})).startsWith("1 face, "));
         QVERIFY(words(regionOf(Level::Face, 0, {2, 3})).startsWith("2 faces, "));
         QVERIFY(words(regionOf(Level::Part, 0, {0})).startsWith("1 part, "));
+        // What all faces are called tells none of them.
+        Model same = *box.content.model;
+        for (PartFace& face : same.parts[0].faces)
+            face.name = "PartBody";
+        FilledModel content = box.content;
+        content.model = std::make_shared<const Model>(same);
+        QVERIFY(nameOfFace(content, 0, 2).empty());
         FaceFixtures fixtures;
         fixtures.toggle(box.content, 0, 2, 0);
         fixtures.add(box.content, 0, {2});
