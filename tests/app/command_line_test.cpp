@@ -116,9 +116,7 @@ void CommandLineTest::namesOfFacesComeAlong()
         text.replace(text.find(noName), noName.size(), "ADVANCED_FACE('" + std::string(name) + "',");
     std::ofstream(shop.path("named.step")) << text;
     const auto named = [&](const char* file) {
-        return json::parse(runKnead({"info", shop.qPath(file.toStdString()), "--json"}).out)
-            .at("parts")[0]
-            .at("named_faces");
+        return json::parse(runKnead({"info", shop.qPath(file), "--json"}).out).at("parts")[0].at("named_faces");
     };
     const json before = named("named.step");
     QCOMPARE(before.size(), std::size_t{3});

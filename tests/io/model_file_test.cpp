@@ -19,7 +19,7 @@ Model fullModel()
     part.name = "Würfel 立方体";
     part.path = "root/a \"quoted\" name/Würfel 立方体";
     part.color = Color{0.25F, 0.5F, 1};
-    part.faces = {{std::nullopt}, {Color{1, 0, 0}}};
+    part.faces = {{std::nullopt}, {Color{1, 0, 0}, "seat \u00e4"}};
     part.mesh = shapes::box({0.01, 0.02, 0.03});
     part.mesh.faceOfTriangle.assign(part.mesh.triangles.size(), 1);
     part.solids = 1;
@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(part.name, expected.name);
         QCOMPARE(part.path, expected.path);
         QVERIFY(part.color == expected.color);
-        QVERIFY(part.faces.size() == 2 && !part.faces[0].color && part.faces[1].color == expected.faces[1].color);
+        QVERIFY(part.faces == expected.faces);
         QVERIFY(part.mesh.vertices == expected.mesh.vertices);
         QVERIFY(part.mesh.triangles == expected.mesh.triangles);
         QVERIFY(part.mesh.faceOfTriangle == expected.mesh.faceOfTriangle);

@@ -255,8 +255,8 @@ inline auto members(const Color& v)
 }
 inline auto members(const PartFace& v)
 {
-    const auto& [a] = v;
-    return std::tie(a);
+    const auto& [a, b] = v;
+    return std::tie(a, b);
 }
 inline auto members(const ExactShape& v)
 {

@@ -34,7 +34,7 @@ inline Model model()
     part.name = "Würfel 立方体";
     part.path = "root/a \"quoted\"\n name/Würfel 立方体";
     part.color = Color{0.25F, 0.1F, 1};
-    part.faces = {{std::nullopt}, {Color{1, 0, 0}}};
+    part.faces = {{std::nullopt}, {Color{1, 0, 0}, "seat \u00e4"}};
     part.mesh = shapes::moved(shapes::box({0.01, 0.02, 0.03}), shapes::tilt(0.3));
     part.mesh.faceOfTriangle.assign(part.mesh.triangles.size(), 1);
     part.exact = ExactShape{std::make_shared<const std::string>("exact\0bytes", 11), 1, 0.0254};
