@@ -254,12 +254,14 @@ std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& b
     for (std::uint32_t b = 0; b < pairs.size(); ++b) {
         if (!pairs[b])
             continue;
+        if (named.partnerOf(b)) {
+            matches.push_back({.before = b, .after = *pairs[b], .by = FoundBy::name, .score = 1});
+            continue;
+        }
         const auto chosen = std::ranges::find(options[b], *pairs[b], &PairingOption::other);
         matches.push_back({.before = b,
                            .after = *pairs[b],
-                           .by = named.partnerOf(b)                          ? FoundBy::name
-                                 : haveSameColor(there[b], after[*pairs[b]]) ? FoundBy::color
-                                                                             : FoundBy::place,
+                           .by = haveSameColor(there[b], after[*pairs[b]]) ? FoundBy::color : FoundBy::place,
                            .score = std::clamp(1 - chosen->cost / (costOfNone + neighborWeight), 0.0, 1.0)});
     }
     return matches;
