@@ -4,6 +4,7 @@
 #include "app/recipe_files.h"
 #include "app/resources.h"
 #include "core/message/message.h"
+#include "core/model/file_formats.h"
 #include "core/session/end_grips.h"
 #include "io/material_library.h"
 
@@ -19,8 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr double usualDuration = 1;         // of the way of the grips [s]
 constexpr std::size_t usualObjects = 20000; // that the part is filled with
-constexpr double restAfterWay = 0.5;        // in which what swings comes to rest [s]
-constexpr double restAfterSpring = 1.5;     // the same where a grip has let go [s]
+constexpr std::size_t leastObjects = 8;
+constexpr double restAfterWay = 0.5;    // in which what swings comes to rest [s]
+constexpr double restAfterSpring = 1.5; // the same where a grip has let go [s]
 
 /// The one deformation that is to be done, as one by number.
 const NumberWish& wishOf(const PhysicalMorphRequest& request)
@@ -32,6 +34,16 @@ const NumberWish& wishOf(const PhysicalMorphRequest& request)
     if (request.parts.size() > 1)
         throw Problem(Message("Deformation", "--physics deforms one part or all of them; for some write a recipe."));
     return *number;
+}
+
+/// What would only come to light after minutes.
+void checkAtOnce(const PhysicalMorphRequest& request)
+{
+    if (formatToWrite(request.output) == nullptr)
+        throw Problem(Message("Deformation", "%1: the ending is none of %2; name the file after its format.")
+                          .with(request.output, formatEndings(" and ")));
+    if (request.physics.objects && *request.physics.objects < leastObjects)
+        throw Problem(Message("Deformation", "A part is filled with %1 objects at least.").with(leastObjects));
 }
 
 Material materialOf(const PhysicsWish& physics)
@@ -65,6 +77,7 @@ NumberDeformation numbersFilledIn(const PhysicalMorphRequest& request, TaskContr
 RunReport morphByPhysics(const PhysicalMorphRequest& request, TaskControl& control, const SayAtOnce& say)
 {
     const PhysicsWish& physics = request.physics;
+    checkAtOnce(request);
     if (const Message why = whyNotByPhysics(wishOf(request).kind); !why.empty())
         throw Problem(why);
     const Material material = materialOf(physics);

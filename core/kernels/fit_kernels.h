@@ -8,6 +8,12 @@ namespace knead::kernels {
 
 inline constexpr std::size_t fitLanes = 8; ///< nodes are worked on so many at a time
 
+/// A number of nodes and those that fill up the last lanes.
+constexpr std::size_t inFitLanes(std::size_t count)
+{
+    return (count + fitLanes - 1) / fitLanes * fitLanes;
+}
+
 /// All products of two of the functions 1, x, y, z, xx, yy, zz, xy, yz, zx: the monomials up to degree 4, by ascending degree. Each but
 /// the first, which is 1, is a coordinate times an earlier one.
 struct FitMonomials {

@@ -138,11 +138,12 @@ public:
         , m_isTaken(after.size())
     {
         std::unordered_map<std::string_view, std::uint32_t> named;
+        // What has no triangles has no place either.
         for (std::uint32_t a = 0; a < after.size(); ++a)
-            if (!after[a].name.empty())
+            if (!after[a].name.empty() && after[a].area > 0)
                 named.emplace(after[a].name, a);
         for (std::size_t b = 0; b < before.size(); ++b)
-            if (const auto found = named.find(before[b].name); found != named.end()) {
+            if (const auto found = named.find(before[b].name); found != named.end() && before[b].area > 0) {
                 m_after[b] = found->second;
                 m_isTaken[found->second] = true;
             }
@@ -166,11 +167,12 @@ Options optionsOf(std::span<const FaceLook> before, const Box& boxBefore, std::s
                 options[b].push_back({*partner, 0});
                 continue;
             }
-            for (std::uint32_t a = 0; a < after.size(); ++a)
+            for (std::uint32_t a = 0; a < after.size(); ++a) {
                 if (named.isTaken(a))
                     continue;
-                else if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
+                if (const double cost = differenceOf(before[b], boxBefore, after[a], boxAfter); cost < costOfNone)
                     options[b].push_back({a, cost});
+            }
             std::ranges::stable_sort(options[b], {}, &PairingOption::cost);
             options[b].resize(std::min(options[b].size(), mostOptions));
         }

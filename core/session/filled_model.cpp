@@ -1,6 +1,7 @@
 #include "core/session/filled_model.h"
 
 #include "core/geometry/refine.h"
+#include "core/model/face_names.h"
 #include "core/session/face_fixtures.h"
 #include "core/session/frame.h"
 #include "core/session/part_filling.h"
@@ -197,11 +198,7 @@ Color faceColor(const Part& part, std::uint32_t face)
 
 std::string nameOfFace(const FilledModel& content, BodyId body, std::uint32_t face)
 {
-    const std::vector<PartFace>& faces = content.model->parts[content.bodies[body]->part].faces;
-    const auto isAsFirst = [&](const PartFace& one) { return one.name == faces.front().name; };
-    if (face >= faces.size() || (faces.size() > 1 && std::ranges::all_of(faces, isAsFirst)))
-        return {};
-    return faces[face].name;
+    return tellingName(content.model->parts[content.bodies[body]->part].faces, face);
 }
 
 std::set<std::size_t> FilledModel::hiddenAtFirst() const

@@ -115,7 +115,7 @@ std::string uniqueName(const std::string& name, std::set<std::string>& taken);
 /// The color of a CAD face.
 Color faceColor(const Part& part, std::uint32_t face);
 
-/// The name that the file gives a CAD face; empty: none, or the same as all faces of the part. @pre body < content.bodies.size()
+/// tellingName() of a face of a body. @pre body < content.bodies.size()
 std::string nameOfFace(const FilledModel& content, BodyId body, std::uint32_t face);
 
 struct Frame; // core/session/frame.h

@@ -12,7 +12,7 @@ namespace knead {
 namespace {
 
 // There is one for each filling that something remembers.
-constexpr std::size_t mostBytesKept = std::size_t{1} << 20;
+constexpr std::size_t mostBytesKept = std::size_t{2} << 20;
 
 double largestStretchOf(const Aggregate& aggregate, std::span<const Vec3> displacements)
 {

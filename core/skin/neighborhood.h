@@ -55,7 +55,7 @@ struct Neighborhood {
     /// The middle of the owner [lattice coordinates].
     Vec3 middle() const;
 
-    /// How many of `outward` may be as near as that to a point.
+    /// How many of `outward` may be nearer than that to a point.
     /// @param away how far the point is from the middle
     std::size_t mostWithin(double radius, double away) const;
 
@@ -67,7 +67,6 @@ struct Neighborhood {
     /// @param coordinates of the point in the lattice
     /// @return per set of walks; an object has that of its own
     std::vector<double> sharesOfSets(const Vec3& coordinates) const;
-    std::vector<double> shares(const Vec3& coordinates) const; ///< the same per object
 };
 
 /// Objects in the order of Outward. @param nodes of the objects of a neighborhood

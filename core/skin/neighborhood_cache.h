@@ -15,7 +15,7 @@ class NeighborhoodCache {
 public:
     /// The aggregate must outlive it.
     /// @param mostBytes that are kept; what goes beyond is gathered anew each time
-    explicit NeighborhoodCache(const Aggregate& aggregate, std::size_t mostBytes = std::size_t{64} << 20);
+    explicit NeighborhoodCache(const Aggregate& aggregate, std::size_t mostBytes = std::size_t{128} << 20);
 
     const NeighborhoodFinder& finder() const { return m_finder; }
 

@@ -93,8 +93,8 @@ Neighborhood::Outward outwardOrder(const std::vector<Lattice::Node>& nodes, cons
     outward.order.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
         outward.order[before[keys[i]]++] = static_cast<std::uint16_t>(i);
-    constexpr float farAway = 1e6F;
-    const std::size_t filledUp = (nodes.size() + kernels::fitLanes - 1) / kernels::fitLanes * kernels::fitLanes;
+    constexpr float farAway = 1e30F;
+    const std::size_t filledUp = kernels::inFitLanes(nodes.size());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::vector<float>& steps = outward.steps[axis];
         steps.assign(filledUp, farAway);
@@ -149,14 +149,6 @@ std::vector<double> Neighborhood::sharesOfSets(const Vec3& coordinates) const
         if ((walks[set] & all) == all)
             ofSet[set] = 1; // without rounding
     return ofSet;
-}
-
-std::vector<double> Neighborhood::shares(const Vec3& coordinates) const
-{
-    const std::vector<double> ofSet = sharesOfSets(coordinates);
-    std::vector<double> shares(objects.size());
-    std::ranges::transform(walksOf, shares.begin(), [&](std::uint16_t set) { return ofSet[set]; });
-    return shares;
 }
 
 } // namespace knead

@@ -33,9 +33,10 @@ public:
         , m_point(coordinates - around.middle())
         , m_away(m_point.norm())
     {
+        assert(kernels::inFitLanes(around.objects.size()) <= most);
         m_nearest = look(countWithin(widest));
         if (m_nearest > widest - nodesWithin) // the support may be wider, or none of these is the nearest one
-            m_nearest = look(inLanes(around.objects.size()));
+            m_nearest = look(kernels::inFitLanes(around.objects.size()));
         m_support = supportFor(wanted);
     }
 
@@ -49,13 +50,9 @@ public:
     std::size_t objectsAmong(std::size_t nodes) const { return std::min(nodes, m_around.objects.size()); }
 
 private:
-    static std::size_t inLanes(std::size_t count)
-    {
-        return (count + kernels::fitLanes - 1) / kernels::fitLanes * kernels::fitLanes;
-    }
     std::size_t countWithin(double radius) const
     {
-        return inLanes(std::max<std::size_t>(1, m_around.mostWithin(radius, m_away)));
+        return kernels::inFitLanes(std::max<std::size_t>(1, m_around.mostWithin(radius, m_away)));
     }
 
     kernels::FitNodes within(double radius) const

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -120,6 +121,7 @@ public:
         , m_values(nodes.count)
     {
         m_kernels.moments(nodes, support, m_weight.data(), moments);
+        assert(moments[0] > 0);
     }
 
     /// Values of a polynomial times the weights, per node.
@@ -190,7 +192,7 @@ void shapeFunctions(const kernels::FitNodes& nodes, double support, std::span<do
 
 std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support)
 {
-    const std::size_t count = (offsets.size() + kernels::fitLanes - 1) / kernels::fitLanes * kernels::fitLanes;
+    const std::size_t count = kernels::inFitLanes(offsets.size());
     std::array<std::vector<double>, 3> place;
     for (std::size_t c = 0; c < 3; ++c) {
         place[c].resize(count, 0);

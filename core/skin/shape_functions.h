@@ -31,7 +31,7 @@ struct ShapeSlopes {
         0; ///< 0 .. 1: the part of the fit that has slopes; where it is below 1, the nodes say too little of them
 };
 
-/// Of all nodes.count. @pre as for shapeFunctions()
+/// @return for nodes.count; of those beyond the support 0 @pre as for shapeFunctions()
 ShapeSlopes shapeSlopes(const kernels::FitNodes& nodes, double support);
 
 } // namespace knead

@@ -19,7 +19,8 @@ public:
     /// @param displacements one per object, from rest [m]
     /// @param mostBytes kept for points that are near each other, but asked for in other calls
     /// @throws std::invalid_argument for an aggregate without objects
-    SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements, std::size_t mostBytes = std::size_t{64} << 20);
+    SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements,
+            std::size_t mostBytes = std::size_t{128} << 20);
 
     ~SkinMap() override;
 

@@ -1,6 +1,7 @@
 #include "io/export/export_check.h"
 
 #include "core/message/message.h"
+#include "core/model/face_names.h"
 #include "io/brep/exact_shapes.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
@@ -51,8 +52,10 @@ bool keepsColors(const CadPartToWrite& written, const Part& back)
 
 bool keepsNamesOfFaces(const CadPartToWrite& written, const Part& back)
 {
-    return std::equal(written.faces.begin(), written.faces.end(), back.faces.begin(), back.faces.end(),
-                      [](const PartFace& a, const PartFace& b) { return a.name == b.name; });
+    for (std::size_t i = 0; i < std::min(written.faces.size(), back.faces.size()); ++i)
+        if (written.faces[i].name != back.faces[i].name)
+            return false;
+    return true;
 }
 
 TopoDS_Shape asOne(const std::vector<TopoDS_Shape>& shapes)
@@ -117,9 +120,7 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.nameKept = report.nameKept && back->name.starts_with(written.out.name);
         report.colorsKept = report.colorsKept && (backs.size() > 1 || keepsColors(written.out, *back));
     }
-    const bool hasNamedFaces =
-        std::ranges::any_of(written.out.faces, [](const PartFace& face) { return !face.name.empty(); });
-    if (hasNamedFaces && backs.size() == 1 && !keepsNamesOfFaces(written.out, *backs.front()))
+    if (haveTellingNames(written.out.faces) && backs.size() == 1 && !keepsNamesOfFaces(written.out, *backs.front()))
         report.remarks.push_back(Message("Export", "not all names of its faces were found again."));
     if (written.cameBackInsideOut)
         report.remarks.push_back(Message("Export", "other programs may read it inside out, as it came back here."));

@@ -206,7 +206,7 @@ private:
         for (const Json& face : json.at("faces"))
             part.faces.push_back({colorOrNone(face)});
         for (const Json& named : json.value("faceNames", Json::array())) { // earlier versions have none
-            const auto face = named.at(0).get<std::size_t>();
+            const auto face = static_cast<std::size_t>(count(named.at(0)));
             if (face >= part.faces.size())
                 fail("a face that it does not have is named");
             part.faces[face].name = named.at(1).get<std::string>();

@@ -1212,6 +1212,14 @@
         <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
         <translation>Es gibt kein Material „%1“; --material ist eines von %2.</translation>
     </message>
+    <message>
+        <source>%1: the ending is none of %2; name the file after its format.</source>
+        <translation>%1: Die Endung ist keine von %2; benennen Sie die Datei nach ihrem Format.</translation>
+    </message>
+    <message>
+        <source>A part is filled with %1 objects at least.</source>
+        <translation>Ein Teil wird mit mindestens %1 Objekten gefüllt.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>

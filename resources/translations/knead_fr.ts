@@ -1212,6 +1212,14 @@
         <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
         <translation>Il n’y a pas de matériau « %1 » ; --material est un de %2.</translation>
     </message>
+    <message>
+        <source>%1: the ending is none of %2; name the file after its format.</source>
+        <translation>%1 : l’extension n’est aucune de %2 ; nommez le fichier d’après son format.</translation>
+    </message>
+    <message>
+        <source>A part is filled with %1 objects at least.</source>
+        <translation>Une pièce est remplie d’au moins %1 objets.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>

@@ -1212,6 +1212,14 @@
         <source>There is no material &quot;%1&quot;; --material is one of %2.</source>
         <translation>Er is geen materiaal &quot;%1&quot;; --material is een van %2.</translation>
     </message>
+    <message>
+        <source>%1: the ending is none of %2; name the file after its format.</source>
+        <translation>%1: de extensie is geen van %2; noem het bestand naar zijn formaat.</translation>
+    </message>
+    <message>
+        <source>A part is filled with %1 objects at least.</source>
+        <translation>Een onderdeel wordt met minstens %1 objecten gevuld.</translation>
+    </message>
 </context>
 <context>
     <name>Deforming</name>

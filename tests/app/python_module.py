@@ -429,6 +429,8 @@ class TheModule(unittest.TestCase):
 
     def test_stub_and_module_have_the_same(self):
         stub = (pathlib.Path(knead.__file__).parent / "__init__.pyi").read_text()
+        functions = {name for name, thing in vars(knead._knead).items() if callable(thing) and not inspect.isclass(thing)}
+        self.assertLessEqual(functions, set(dir(knead)))
         for name in knead.__all__:
             thing = getattr(knead, name)
             self.assertRegex(stub, rf"(class|def) {name}\b")

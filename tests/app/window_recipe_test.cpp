@@ -3,8 +3,8 @@
 #include "support/busy_recipe.h"
 #include "support/window_on_test.h"
 #include "support/workshop.h"
+#include "ui/dialogs/recent_files.h"
 #include "ui/project/project_keeper.h"
-#include "ui/project/recent_files.h"
 #include "ui/run_window.h"
 
 #include <QComboBox>

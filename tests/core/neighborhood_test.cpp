@@ -31,6 +31,16 @@ Lattice::Node cornerOf(const Lattice::Node& cell, std::int32_t corner)
     return {cell[0] + (corner >> 2), cell[1] + (corner >> 1 & 1), cell[2] + (corner & 1)};
 }
 
+/// Per object.
+std::vector<double> sharesOf(const Neighborhood& around, const Vec3& coordinates)
+{
+    const std::vector<double> ofSets = around.sharesOfSets(coordinates);
+    std::vector<double> shares;
+    for (const std::uint16_t set : around.walksOf)
+        shares.push_back(ofSets[set]);
+    return shares;
+}
+
 bool same(const Neighborhood& a, const Neighborhood& b)
 {
     return a.owner == b.owner && a.cells == b.cells && a.objects == b.objects && a.walks == b.walks &&
@@ -118,7 +128,7 @@ private slots:
         std::vector<double> mean(around.objects.size(), 0);
         for (std::int32_t corner = 0; corner < 8; ++corner) {
             const Lattice::Node node = cornerOf(middle(), corner);
-            const std::vector<double> shares = around.shares(inCell(node, Vec3::Zero()));
+            const std::vector<double> shares = sharesOf(around, inCell(node, Vec3::Zero()));
             for (std::size_t i = 0; i < shares.size(); ++i) {
                 const bool isReached = isWithinThreeSteps(node, m_block.lattice.nodes[around.objects[i]]);
                 QCOMPARE(shares[i], isReached ? 1.0 : 0.0);
@@ -126,7 +136,7 @@ private slots:
             }
         }
         QVERIFY(std::ranges::any_of(mean, [](double share) { return share > 0 && share < 1; }));
-        const std::vector<double> shares = around.shares(inCell(middle(), Vec3(0.5, 0.5, 0.5)));
+        const std::vector<double> shares = sharesOf(around, inCell(middle(), Vec3(0.5, 0.5, 0.5)));
         for (std::size_t i = 0; i < shares.size(); ++i)
             QVERIFY(std::abs(shares[i] - mean[i]) < 1e-15);
     }
@@ -144,8 +154,8 @@ private slots:
         QCOMPARE(around.cells.size(), std::size_t{9}); // of the last layer
         // Only the cell right below is near: the point is asked of as if it were on the face between.
         const Neighborhood below = finder.gather({{upper[0] - 1, outside[1], outside[2]}, SkinOwner::Kind::cell});
-        const std::vector<double> wanted = below.shares(inCell(outside, Vec3(0, 0.5, 0.5)));
-        const std::vector<double> shares = around.shares(point);
+        const std::vector<double> wanted = sharesOf(below, inCell(outside, Vec3(0, 0.5, 0.5)));
+        const std::vector<double> shares = sharesOf(around, point);
         for (std::size_t i = 0; i < shares.size(); ++i) {
             const auto found = std::ranges::find(below.objects, around.objects[i]);
             const auto place = static_cast<std::size_t>(found - below.objects.begin());
@@ -161,7 +171,7 @@ private slots:
         QCOMPARE(owner.node, m_block.lattice.nodes.back());
         const Neighborhood around = finder.gather(owner);
         QVERIFY(around.cells.empty());
-        for (const double share : around.shares(m_block.lattice.coordinates(Vec3(20, 21, 22))))
+        for (const double share : sharesOf(around, m_block.lattice.coordinates(Vec3(20, 21, 22))))
             QCOMPARE(share, 1.0);
     }
 

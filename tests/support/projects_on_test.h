@@ -1,8 +1,8 @@
 #pragma once
 
 #include "support/window_on_test.h"
+#include "ui/dialogs/recent_files.h"
 #include "ui/project/project_keeper.h"
-#include "ui/project/recent_files.h"
 
 #include <QMessageBox>
 #include <QPushButton>

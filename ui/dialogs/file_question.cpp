@@ -1,6 +1,6 @@
 #include "ui/dialogs/file_question.h"
 
-#include "ui/project/recent_files.h"
+#include "ui/dialogs/recent_files.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -51,7 +51,9 @@ QString folderOfLastFile()
 QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
 {
     const QSettings settings;
-    const QString last = settings.value(question.key, settings.value("folder", folderOfLastFile())).toString();
+    QString last = settings.value(question.key, settings.value("folder")).toString();
+    if (last.isEmpty())
+        last = folderOfLastFile();
     // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it. It
     // begins with a small one, or it would begin with the last one there was.
     auto* dialog = new QFileDialog(&parent, question.title, QDir::rootPath());

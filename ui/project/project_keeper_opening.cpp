@@ -3,10 +3,10 @@
 #include "ui/language/said.h"
 #include "ui/project/project_keeper.h"
 
+#include "ui/dialogs/recent_files.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/panels/model_tree.h"
 #include "ui/project/project_view.h"
-#include "ui/project/recent_files.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"

@@ -4,9 +4,9 @@
 #include "ui/project/project_keeper.h"
 
 #include "ui/dialogs/file_question.h"
+#include "ui/dialogs/recent_files.h"
 #include "ui/project/encoded_path.h"
 #include "ui/project/project_view.h"
-#include "ui/project/recent_files.h"
 #include "ui/project/thumbnails.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"

@@ -4,12 +4,12 @@
 #include "ui/commands/availability.h"
 #include "ui/commands/listed_actions.h"
 #include "ui/commands/make_action.h"
+#include "ui/dialogs/recent_files.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/model_tree.h"
 #include "ui/project/project_keeper.h"
-#include "ui/project/recent_files.h"
 #include "ui/project/thumbnails.h"
 #include "ui/viewport/viewport_widget.h"
 

@@ -356,6 +356,20 @@ def morph(
     tolerance: float = 0.0,
     progress: Progress = None,
 ) -> Report: ...
+def morph_by_physics(
+    part: Path,
+    deformation: NumberDeformation,
+    out: Path,
+    *,
+    material: str,
+    duration: Optional[float] = None,
+    let_go: bool = False,
+    objects: Optional[int] = None,
+    parts: Sequence[str] = ...,
+    unit: str = "",
+    tolerance: float = 0.0,
+    progress: Progress = None,
+) -> Report: ...
 def bend(
     angle: float,
     *,

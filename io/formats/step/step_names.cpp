@@ -98,15 +98,21 @@ ShapeNotes<std::string> namesOfStepShapes(const STEPControl_Reader& reader)
 {
     ShapeNotes<std::string> names;
     const Handle(Transfer_TransientProcess)& process = reader.WS()->TransferReader()->TransientProcess();
-    const auto take = [&](const Handle(StepRepr_RepresentationItem) & item) {
-        const std::string name = readableName(std::string_view(textOf(item->Name())));
-        if (isGeneratedName(name))
-            return;
-        if (const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item); !shape.IsNull())
+    const auto take = [&](TopAbs_ShapeEnum kind) {
+        return [&, kind](const Handle(StepRepr_RepresentationItem) & item) {
+            const std::string name = readableName(std::string_view(textOf(item->Name())));
+            if (isGeneratedName(name))
+                return;
+            const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
+            if (shape.IsNull())
+                return;
             names.set(shape, name);
+            for (TopExp_Explorer pieces(shape, kind); pieces.More(); pieces.Next()) // that reading divided it into
+                names.set(pieces.Current(), name);
+        };
     };
-    forEach<StepShape_SolidModel>(reader.Model(), take);
-    forEach<StepShape_FaceSurface>(reader.Model(), take);
+    forEach<StepShape_SolidModel>(reader.Model(), take(TopAbs_SOLID));
+    forEach<StepShape_FaceSurface>(reader.Model(), take(TopAbs_FACE));
     return names;
 }
 

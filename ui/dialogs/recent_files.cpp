@@ -1,4 +1,4 @@
-#include "ui/project/recent_files.h"
+#include "ui/dialogs/recent_files.h"
 
 #include <QFileInfo>
 #include <QSettings>
