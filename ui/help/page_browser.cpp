@@ -12,7 +12,7 @@ namespace knead {
 
 namespace {
 
-constexpr int margin = 18;
+constexpr int pageMargin = 18;
 
 /// Headings and tables come without room around them.
 void makeRoom(QTextDocument& document)
@@ -46,7 +46,7 @@ PageBrowser::PageBrowser(QWidget* parent)
     : QTextBrowser(parent)
 {
     setOpenLinks(false);
-    document()->setDocumentMargin(margin);
+    document()->setDocumentMargin(pageMargin);
 }
 
 void PageBrowser::showPage(const QString& markdown)
@@ -81,7 +81,7 @@ void PageBrowser::resizeEvent(QResizeEvent* event)
 
 int PageBrowser::textWidth() const
 {
-    return std::max(1, viewport()->width() - 2 * margin);
+    return std::max(1, viewport()->width() - 2 * pageMargin);
 }
 
 void PageBrowser::fitPictures()

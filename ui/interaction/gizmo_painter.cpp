@@ -16,7 +16,7 @@ constexpr double litWidth = 4;    // [pixels]
 constexpr double haloWidth = 2.4; // on top of a line's own [pixels]
 constexpr double headLength = 15; // of an arrow [pixels]
 constexpr double headWidth = 5.5; // half of it [pixels]
-constexpr double margin = 12;     // [pixels]
+constexpr double aroundRing = 12; // [pixels]
 constexpr double fadedOpacity = 0.28;
 
 const std::array<QColor, 3> axisColors = {QColor(0xe5, 0x48, 0x4d), QColor(0x3a, 0xa8, 0x52), QColor(0x3b, 0x7d, 0xf0)};
@@ -130,7 +130,7 @@ QRect gizmoArea(const Gizmo& gizmo)
         return {};
     const QPointF middle = point(gizmo.middlePixel());
     // Perspective makes what is nearer to the eye larger.
-    const double reach = 1.35 * Gizmo::ring + margin;
+    const double reach = 1.35 * Gizmo::ring + aroundRing;
     return QRectF(middle - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)).toAlignedRect();
 }
 
