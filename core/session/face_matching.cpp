@@ -25,6 +25,7 @@ constexpr double bulgeWeight = 1;
 constexpr double neighborWeight = 0.5;
 constexpr double colorBonus = 0.4;
 constexpr double costOfNone = 1;
+constexpr std::size_t manyNames = 4;    // most of so many are of faces that are alike, or they are numbers
 constexpr std::size_t mostOptions = 16; // per face: the cheapest
 constexpr int rounds = 3;               // the first one knows no neighbors
 
@@ -130,10 +131,12 @@ double sharedNeighbors(const FaceLook& before, const FaceLook& after, const Pair
 
 using Options = std::vector<std::vector<PairingOption>>;
 
-/// Those of one name, whatever else differs.
+/// Those of one name, whatever else differs; but not where names are numbers that a program counted anew: then most of them are of
+/// faces that are nothing alike.
 class NamedPairs {
 public:
-    NamedPairs(std::span<const FaceLook> before, std::span<const FaceLook> after)
+    NamedPairs(std::span<const FaceLook> before, const Box& boxBefore, std::span<const FaceLook> after,
+               const Box& boxAfter)
         : m_after(before.size())
         , m_isTaken(after.size())
     {
@@ -142,11 +145,19 @@ public:
         for (std::uint32_t a = 0; a < after.size(); ++a)
             if (!after[a].name.empty() && after[a].area > 0)
                 named.emplace(after[a].name, a);
+        std::size_t pairs = 0;
+        std::size_t unlike = 0;
         for (std::size_t b = 0; b < before.size(); ++b)
             if (const auto found = named.find(before[b].name); found != named.end() && before[b].area > 0) {
                 m_after[b] = found->second;
                 m_isTaken[found->second] = true;
+                ++pairs;
+                unlike += differenceOf(before[b], boxBefore, after[found->second], boxAfter) >= costOfNone ? 1 : 0;
             }
+        if (pairs >= manyNames && 2 * unlike > pairs) {
+            m_after.assign(before.size(), std::nullopt);
+            m_isTaken.assign(after.size(), false);
+        }
     }
 
     std::optional<std::uint32_t> partnerOf(std::size_t before) const { return m_after[before]; }
@@ -243,8 +254,9 @@ std::vector<FaceMatch> matchFaces(std::span<const FaceLook> before, const Box& b
     std::vector<FaceLook> there;
     for (const FaceLook& look : before)
         there.push_back(carried(look, to));
-    const NamedPairs named(before, after);
-    const Options plain = optionsOf(there, carried(boxBefore, to), after, boxAfter, named, control);
+    const Box boxThere = carried(boxBefore, to);
+    const NamedPairs named(there, boxThere, after, boxAfter);
+    const Options plain = optionsOf(there, boxThere, after, boxAfter, named, control);
     Options options = plain;
     Pairs pairs;
     for (int round = 0; round < rounds; ++round) {

@@ -223,6 +223,27 @@ private slots:
         QCOMPARE(match().by, FoundBy::place);
     }
 
+    /// As programs do that number faces: another face has the name now.
+    void namesThatWereCountedAnewTellNothing()
+    {
+        Part before = bracket(0.05, 0.04);
+        Part after = bracket(0.055, 0.04, true);
+        for (std::uint32_t f = 0; f < before.faces.size(); ++f)
+            before.faces[f].name = after.faces[f].name = "F" + std::to_string(f);
+        const auto matches = [&] { return matchFaces(faceLooks(before), before.box, faceLooks(after), after.box, {}); };
+        QCOMPARE(matches().size(), std::size_t{8});
+        for (const FaceMatch& match : matches()) {
+            QCOMPARE(match.after, 7 - match.before);
+            QCOMPARE(match.by, FoundBy::place);
+        }
+        for (std::uint32_t f = 0; f < 8; ++f)
+            after.faces[7 - f].name = before.faces[f].name;
+        for (const FaceMatch& match : matches()) {
+            QCOMPARE(match.after, 7 - match.before);
+            QCOMPARE(match.by, FoundBy::name);
+        }
+    }
+
     void aFaceThatIsNotThereIsReported()
     {
         Recipe recipe = pressed();
