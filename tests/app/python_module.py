@@ -346,7 +346,7 @@ class TheModule(unittest.TestCase):
     def test_physics_finds_the_shape_between_grips(self):
         with tempfile.TemporaryDirectory() as folder:
             out = os.path.join(folder, "drawn.step")
-            grips = knead.stretch(1.3, axis=(1, 0, 0), start=-0.02, end=0.02)
+            grips = knead.stretch(1.3, axis=(1, 0, 0), start=0.06, end=0.1)
             how = {"material": "modeling-clay", "duration": 0.2, "objects": 300}
             report = knead.morph_by_physics(EXAMPLES / "bar.step", grips, out, **how)
             drawn = knead.read(out).parts[0]
