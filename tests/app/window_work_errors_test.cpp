@@ -185,6 +185,7 @@ private slots:
     {
         openWithBlock();
         key(Qt::Key_2); // faces
+        rest();
         click(towardsEye());
         QTRY_COMPARE(document().selection().kind, Selection::Kind::Region);
         remember();
