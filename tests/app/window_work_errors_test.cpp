@@ -403,6 +403,7 @@ private:
 
     void pressOnPart()
     {
+        rest();
         const QPoint place = m_window->viewport().widgetPosition(towardsEye())->toPoint();
         QTest::mouseMove(&m_window->viewport(), place);
         QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, place);
