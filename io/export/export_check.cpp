@@ -6,6 +6,7 @@
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
 #include "io/export/deviation.h"
+#include "io/export/face_order.h"
 #include "io/export/place_words.h"
 #include "io/export/smooth_edges.h"
 #include "io/morph/millimetre_map.h"
@@ -102,10 +103,30 @@ std::vector<std::uint32_t> misfitsOf(const ReadyPart& written, const std::vector
     return {misfits.begin(), misfits.end()};
 }
 
+/// Brings what was written into the order in which its faces came back.
+void followOrder(ReadyPart& written, const TopoDS_Shape& back)
+{
+    const double near = 1e3 * std::max(written.report.tolerance, written.report.flatTolerance);
+    const std::vector<std::uint32_t> order = orderReadBack(written.out.shape, back, near);
+    if (std::ranges::is_sorted(order))
+        return;
+    std::vector<std::uint32_t> origin;
+    std::vector<PartFace> faces;
+    for (const std::uint32_t face : order) {
+        origin.push_back(written.origin.empty() ? face : written.origin[face]);
+        faces.push_back(face < written.out.faces.size() ? written.out.faces[face] : PartFace{});
+    }
+    written.origin = std::move(origin);
+    if (!written.out.faces.empty())
+        written.out.faces = std::move(faces);
+}
+
 /// The solids of a part may come back as several parts: then these are added up.
 void compare(ReadyPart& written, const std::vector<const Part*>& backs, const TopoDS_Shape& shape)
 {
     PartExportReport& report = written.report;
+    if (report.form == PartExportReport::Form::exact && !shape.IsNull())
+        followOrder(written, shape);
     report.valid = report.closed = report.nameKept = report.colorsKept = !backs.empty();
     for (const Part* back : backs) {
         report.solidsAfter += back->solids;

@@ -1,5 +1,7 @@
 #include "io/export/face_order.h"
 
+#include "io/morph/trimmed_face.h"
+
 #include <BRepClass3d.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp.hxx>
@@ -10,6 +12,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include <algorithm>
+#include <numeric>
 
 namespace knead {
 
@@ -55,6 +58,20 @@ TopoDS_Shape rotated(const TopoDS_Shape& shape, std::size_t first)
     return remade(shape, children);
 }
 
+/// The middle of its edges, per face.
+std::vector<Vec3> middlesOf(const TopoDS_Shape& shape)
+{
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    std::vector<Vec3> middles;
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        const std::vector<Vec3> places = placesOnEdges(faces(i));
+        const Vec3 sum = std::accumulate(places.begin(), places.end(), Vec3(Vec3::Zero()));
+        middles.push_back(sum / std::max(1.0, static_cast<double>(places.size())));
+    }
+    return middles;
+}
+
 } // namespace
 
 OrderedShape withFaceFirst(const TopoDS_Shape& shape, std::size_t first)
@@ -67,6 +84,28 @@ OrderedShape withFaceFirst(const TopoDS_Shape& shape, std::size_t first)
     for (int i = 1; i <= after.Extent(); ++i)
         result.order.push_back(static_cast<std::uint32_t>(before.FindIndex(after(i)) - 1));
     return result;
+}
+
+std::vector<std::uint32_t> orderReadBack(const TopoDS_Shape& written, const TopoDS_Shape& back, double near)
+{
+    const std::vector<Vec3> wanted = middlesOf(written);
+    const std::vector<Vec3> found = middlesOf(back);
+    if (wanted.size() != found.size())
+        return {};
+    std::vector<std::uint32_t> order(found.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::vector<std::uint32_t> left; // out of order
+    for (const std::uint32_t face : order)
+        if ((found[face] - wanted[face]).norm() > near)
+            left.push_back(face);
+    std::vector<std::uint32_t> places = left;
+    for (const std::uint32_t face : left) {
+        const auto nearest = std::ranges::min_element(
+            places, {}, [&](std::uint32_t place) { return (found[place] - wanted[face]).squaredNorm(); });
+        order[*nearest] = face;
+        places.erase(nearest);
+    }
+    return order;
 }
 
 } // namespace knead

@@ -1,9 +1,13 @@
 #include "core/simulation/first_press.h"
 #include "core/simulation/simulation.h"
+#include "io/brep/exact_shapes.h"
 #include "io/brep/occt_session.h"
+#include "io/export/bent_faces.h"
+#include "io/export/export_check.h"
 #include "io/export/face_order.h"
 #include "support/export_jobs.h"
 #include "support/hard_parts.h"
+#include "support/space_maps.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -14,6 +18,7 @@
 #include <QtTest>
 #include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
 using namespace knead;
@@ -70,6 +75,8 @@ class FaceOrderTest : public QObject {
 
 private slots:
     void putsAnotherFaceFirst();
+    void facesAreFoundInAnotherOrder();
+    void facesThatCameBackInAnotherOrderAreCompared();
     void springsAreReadAsTheyAre();
 };
 
@@ -90,6 +97,51 @@ void FaceOrderTest::putsAnotherFaceFirst()
         for (int i = 1; i <= 6; ++i)
             QVERIFY(after(i).IsEqual(before(static_cast<int>(ordered.order[static_cast<std::size_t>(i) - 1]) + 1)));
     }
+}
+
+void FaceOrderTest::facesAreFoundInAnotherOrder()
+{
+    const OcctSession session;
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+    const OrderedShape ordered = withFaceFirst(box, 2);
+    QVERIFY(orderReadBack(box, ordered.shape, 1e-3) == ordered.order);
+    QVERIFY(orderReadBack(box, box, 1e-3) == withFaceFirst(box, 0).order);
+    // One that lies elsewhere takes the place that is left.
+    const TopoDS_Shape longer = withFaceFirst(BRepPrimAPI_MakeBox(1, 2, 3.5).Shape(), 2).shape;
+    QVERIFY(orderReadBack(box, longer, 1e-3) == ordered.order);
+    QVERIFY(orderReadBack(box, TopExp_Explorer(box, TopAbs_FACE).Current(), 1e-3).empty());
+}
+
+/// As where OpenCASCADE turned a face: those beside it come in another order, and are the same faces all the same.
+void FaceOrderTest::facesThatCameBackInAnotherOrderAreCompared()
+{
+    const Model model = example("bracket.step");
+    ExportJob job = jobOf(model, nullptr);
+    PartToExport& part = job.parts.front();
+    job.tree = {};
+    job.tree.children.push_back({part.part.name, 0, {}});
+    part.map = std::make_shared<maps::Twist>(part.part.box, 0.3);
+    for (std::size_t i = 0; i < part.part.faces.size(); ++i)
+        part.part.faces[i] = {.color = Color{0, i % 2 == 0 ? 1.0F : 0.0F, 0}, .name = "face " + std::to_string(i)};
+    std::vector<ReadyPart> written;
+    std::string bytes;
+    {
+        const OcctSession session;
+        const TopoDS_Shape shape = shapesFromBytes(*part.part.exact->bytes)[part.part.exact->number];
+        written.push_back(makeReady(part, shape, job.options, {}, TaskControl::none()));
+        bytes = writeCad(FormatKind::Step, {written.front().out}, job.tree, job.options, TaskControl::none());
+        putFaceFirst(part.part, 3, written.front());
+    }
+    ExportedFile file;
+    file.bytes = bytes;
+    const Model back = readBack(file, "step");
+    const OcctSession session;
+    QVERIFY(checkWritten(written, back, TaskControl::none()).empty());
+    const PartExportReport& report = written.front().report;
+    QVERIFY2(report.largestDeviation <= report.tolerance, qPrintable(QString::number(report.largestDeviation)));
+    QVERIFY(report.isSound());
+    QVERIFY(report.colorsKept);
+    QVERIFY2(report.remarks.empty(), report.remarks.empty() ? "" : report.remarks.front().english().c_str());
 }
 
 /// Faces that are long and wound: rays graze them.
