@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -82,21 +83,26 @@ public:
             PartToExport::Measures{part.part.volume, static_cast<int>(part.part.faces.size()), part.part.edges});
     }
 
+    /// At all planes together, else at each one where that goes.
     void divideFor(const NumberMap& map)
     {
-        const auto division = dividedAtPlanes(m_shape, planesOf(map.deformation()));
-        if (!division) {
+        const std::array<gp_Pln, 2> planes = planesOf(map.deformation());
+        if (divideAt(planes))
+            return;
+        const auto isMissed = [&](const gp_Pln& plane) { return !divideAt({&plane, 1}); };
+        const auto missed = static_cast<std::size_t>(std::ranges::count_if(planes, isMissed));
+        if (missed == planes.size())
             m_part.remarks.push_back(
                 Message("Export",
                         "\"%1\": its faces could not be divided at the planes of the deformation; each is one surface "
                         "across them.")
                     .with(m_part.part.name));
-            return;
-        }
-        if (division->divided == 0)
-            return;
-        m_divided += division->divided;
-        replace(division->shape.shape, division->shape.origin);
+        else if (missed > 0)
+            m_part.remarks.push_back(
+                Message("Export",
+                        "\"%1\": its faces could not be divided at one of the planes of the deformation; each is one "
+                        "surface across it.")
+                    .with(m_part.part.name));
     }
 
     /// @return whether there is a sound shape now, no farther off than the tolerance [m]
@@ -132,6 +138,17 @@ public:
     }
 
 private:
+    /// @return whether faces are divided there now, or none goes through
+    bool divideAt(std::span<const gp_Pln> planes)
+    {
+        const auto division = dividedAtPlanes(m_shape, planes);
+        if (division && division->divided > 0) {
+            m_divided += division->divided;
+            replace(division->shape.shape, division->shape.origin);
+        }
+        return division.has_value();
+    }
+
     void replace(const TopoDS_Shape& shape, const std::vector<std::uint32_t>& origin)
     {
         const bool wasClosed = m_part.part.watertight;

@@ -30,6 +30,9 @@ namespace {
 constexpr double sameVolume = 1e-4; // of it: so far do integrals over a face with many holes and over its pieces agree
 constexpr double touching = 1e-5;   // [mm]: what only comes so near to a plane is not gone through
 
+// [mm], one after the other: edges of a face that lies in a plane may miss it by more than their tolerance tells.
+constexpr std::array fuzzinesses{0.0, 1e-4, 1e-3};
+
 double sizeOfBox(const TopoDS_Shape& shape)
 {
     Bnd_Box box;
@@ -138,7 +141,8 @@ bool isAsSound(const TopoDS_Shape& now, const TopoDS_Shape& before)
            (BRepCheck_Analyzer(now).IsValid() || !BRepCheck_Analyzer(before).IsValid());
 }
 
-std::optional<PlaneDivision> divide(const TopoDS_Shape& shape, const TopTools_ListOfShape& tools)
+/// @param fuzziness what lies so near to each other is one [mm], beside tolerances
+std::optional<PlaneDivision> divide(const TopoDS_Shape& shape, const TopTools_ListOfShape& tools, double fuzziness)
 {
     // All faces as one argument: solids would be divided themselves, and several shells meet each other.
     TopoDS_Compound faces;
@@ -154,6 +158,7 @@ std::optional<PlaneDivision> divide(const TopoDS_Shape& shape, const TopTools_Li
     splitter.SetArguments(arguments);
     splitter.SetTools(tools);
     splitter.SetNonDestructive(true);
+    splitter.SetFuzzyValue(fuzziness);
     splitter.Build();
     if (splitter.HasErrors())
         return std::nullopt;
@@ -196,8 +201,14 @@ std::optional<PlaneDivision> dividedAtPlanes(const TopoDS_Shape& shape, std::spa
             const gp_Pln near(middle.Translated(offset.Dot(normal) * normal), plane.Axis().Direction());
             tools.Append(BRepBuilderAPI_MakeFace(near, -size, size, -size, size).Face());
         }
+        for (const double fuzziness : fuzzinesses) {
+            if (tools.IsEmpty())
+                break;
+            if (auto divided = divide(shape, tools, fuzziness))
+                return divided;
+        }
         if (!tools.IsEmpty())
-            return divide(shape, tools);
+            return std::nullopt;
     } catch (const Standard_Failure&) {
         return std::nullopt;
     }

@@ -2210,6 +2210,10 @@
         <translation>„%1“: Seine Flächen ließen sich an den Ebenen der Verformung nicht teilen; jede ist dort eine einzige Fläche über sie hinweg.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;: its faces could not be divided at one of the planes of the deformation; each is one surface across it.</source>
+        <translation>„%1“: Seine Flächen ließen sich an einer der Ebenen der Verformung nicht teilen; jede ist dort eine einzige Fläche über sie hinweg.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
         <translation>„%1“: 1 Fläche wurde an den Ebenen der Verformung geteilt.</translation>
     </message>

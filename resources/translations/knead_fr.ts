@@ -2210,6 +2210,10 @@
         <translation>« %1 » : ses faces n’ont pas pu être divisées aux plans de la déformation ; chacune est une seule surface qui les traverse.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;: its faces could not be divided at one of the planes of the deformation; each is one surface across it.</source>
+        <translation>« %1 » : ses faces n’ont pas pu être divisées à l’un des plans de la déformation ; chacune est une seule surface qui le traverse.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
         <translation>« %1 » : 1 face a été divisée aux plans de la déformation.</translation>
     </message>

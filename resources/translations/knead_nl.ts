@@ -2210,6 +2210,10 @@
         <translation>&quot;%1&quot;: de vlakken konden niet worden gedeeld bij de grensvlakken van de vervorming; elk is één oppervlak daaroverheen.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;: its faces could not be divided at one of the planes of the deformation; each is one surface across it.</source>
+        <translation>&quot;%1&quot;: de vlakken konden niet worden gedeeld bij een van de grensvlakken van de vervorming; elk is daar één oppervlak overheen.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;: 1 face was divided at the planes of the deformation.</source>
         <translation>&quot;%1&quot;: 1 vlak is gedeeld bij de grensvlakken van de vervorming.</translation>
     </message>

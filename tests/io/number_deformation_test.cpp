@@ -1,7 +1,9 @@
 #include "core/deformation/number_deformation.h"
+#include "io/brep/exact_shapes.h"
 #include "io/export/plane_division.h"
 #include "io/morph/brep_morph.h"
 #include "support/export_jobs.h"
+#include "support/skip.h"
 #include "support/space_maps.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -23,6 +25,7 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Vec2d.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -113,6 +116,7 @@ private slots:
     void whatEasesIsNotDivided();
     void facesAreDividedOnlyWherePlanesGoThrough();
     void piecesThatShareASurfaceStayFit();
+    void facesThatMissThePlaneTheyLieInAreDivided();
     void anEdgeThatLiesAPeriodAwayIsBroughtBack();
 };
 
@@ -273,6 +277,21 @@ void NumberDeformationTest::piecesThatShareASurfaceStayFit()
     QVERIFY(carried.isValid); // on both sides of the seam of the hole, at x = 7, lies a piece of it
     for (const MorphedFaceNote& note : carried.notes)
         QVERIFY(note.kind == MorphedFaceKind::kept);
+}
+
+/// Of a shell of 457 faces one lies in the plane where a twist begins, and one of its edges half a micrometer beside where it should.
+void NumberDeformationTest::facesThatMissThePlaneTheyLieInAreDivided()
+{
+    const QString corpus = qEnvironmentVariable("KNEAD_CORPUS");
+    if (corpus.isEmpty())
+        KNEAD_SKIP_WITHOUT("corpus", "The environment variable KNEAD_CORPUS names no corpus folder.");
+    const Model model = importFile(corpus.toStdString() + "/hard/x08_openhand_l12.igs");
+    const auto part = std::ranges::find(model.parts, std::string("CLAMSHELL_TOP_10416"), &Part::name);
+    QVERIFY(part != model.parts.end());
+    const TopoDS_Shape shape = shapesFromBytes(*part->exact->bytes)[part->exact->number];
+    const auto divided = dividedAtPlanes(shape, std::vector{gp_Pln(gp_Pnt(0, 5.5, 0), gp::DY())});
+    QVERIFY(divided);
+    QVERIFY(divided->divided > 10);
 }
 
 void NumberDeformationTest::anEdgeThatLiesAPeriodAwayIsBroughtBack()
