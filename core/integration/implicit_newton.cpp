@@ -176,7 +176,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             continue;
         }
         if (isLast || !std::isfinite(lack.size)) {
-            report.converged = lack.size <= newton.failedTolerance * newton.failedTolerance * lack.reference;
+            report.converged = lack.size <= newton.failedTolerance * newton.failedTolerance * lack.reference &&
+                               lackOfWholes(tangents, h) <= 1;
             keepMomenta(gravity, h);
             break;
         }
