@@ -18,7 +18,9 @@ namespace knead {
 /// Diagonal connections across a wall of less than three cells have two layers of middles at most, and so one second moment
 /// whatever their weights, too small at two cells and too large at one. Connections along the axes make up for that.
 ///
-/// Walls of more than 8 cells keep their weights, which are right to 3 % there.
+/// Walls of more than 8 cells keep their weights, which are right to 3 % there. So do lumps, which go on for no more than one and a half
+/// times their thickness: their ends would be weaker than their middle, and flow by 8 % too early where a plate presses them. Between them
+/// it passes over, see WallMeasure.
 /// The volume of an object is an eighteenth of the weights of its connections, as before, so that no object is light against
 /// its springs; they sum to the volume of all cells, the weights of each family to it over a^3.
 ///

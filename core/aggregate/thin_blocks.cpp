@@ -110,12 +110,12 @@ void addTo(QuadraticMoments& sum, const QuadraticMoments& one, double factor)
 }
 
 /// @param outward of full cells, as side seen from the cell
-void addSide(QuadraticMoments& sum, std::size_t axis, int side, int outward, const Vec3& step)
+void addSide(QuadraticMoments& sum, std::size_t axis, int side, int outward, const Vec3& step, double share)
 {
     QuadraticMoments slope{};
     slope[1 + axis] = -0.5 * outward;
     slope[4 + axis] = -0.5 * outward * side; // 2 x at x = side / 2
-    addTo(sum, moved(slope, step), 1);
+    addTo(sum, moved(slope, step), share);
 }
 
 /// Of 1, u, v, w, uu, vv, ww, uv, uw, vw: whether one is a product of coordinates across an axis.
@@ -138,10 +138,10 @@ void ThinBlock::add(const ThinCell& cell)
     // A full cell gives its part of the sides that are skin, a cut one that of the full cells beside it.
     const bool isFull = cell.cut == nullptr;
     cell.forEachSide([&](std::size_t axis, int side) {
-        addSide((isFull ? m_bareSides : m_sides)[axis], axis, side, isFull ? side : -side, step);
+        addSide((isFull ? m_bareSides : m_sides)[axis], axis, side, isFull ? side : -side, step, cell.share);
     });
     if (cell.cut != nullptr)
-        addMaterial(cell.cut->moments.value, cell.isKept, step);
+        addMaterial(cell, step);
     m_centers += step;
     ++m_cells;
 }
@@ -188,17 +188,18 @@ QuadraticMoments ThinBlock::meanResidual(std::size_t axis) const
     return sum;
 }
 
-void ThinBlock::addMaterial(const QuadraticMoments& moments, bool isKept, const Vec3& step)
+void ThinBlock::addMaterial(const ThinCell& cell, const Vec3& step)
 {
-    m_volume += moments[0];
+    const QuadraticMoments& moments = cell.cut->moments.value;
+    m_volume += cell.share * moments[0];
     m_centers += Vec3(moments[1], moments[2], moments[3]) / moments[0];
     QuadraticMoments lacking = moments;
-    if (isKept) {
-        m_keptVolume += moments[0];
+    if (cell.isKept) {
+        m_keptVolume += cell.share * moments[0];
         // What was given lies at the cell's middle, but for its second moments there.
         lacking[0] = 0;
     }
-    addTo(m_material, moved(lacking, step), 1);
+    addTo(m_material, moved(lacking, step), cell.share);
 }
 
 std::vector<std::vector<ThinBlock>> thinBlocksOf(const std::vector<std::vector<ThinCell>>& slabs)

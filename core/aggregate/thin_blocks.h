@@ -52,7 +52,7 @@ public:
 
 private:
     QuadraticMoments meanResidual(std::size_t axis) const;
-    void addMaterial(const QuadraticMoments& moments, bool isKept, const Vec3& step);
+    void addMaterial(const ThinCell& cell, const Vec3& step);
 
     Place m_place;
     Lattice::Node m_node;

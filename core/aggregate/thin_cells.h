@@ -7,14 +7,13 @@
 
 namespace knead {
 
-/// What is thicker than so many cells bends right without help.
-constexpr std::int32_t thickestThinWall = 8;
-
-/// A cell at the skin of a wall of less than thickestThinWall cells.
+/// A cell at the skin of a wall, see WallMeasure.
 struct ThinCell {
     Lattice::Node cell{};
     const CutCells::Cut* cut = nullptr; ///< null: a full cell whose side is skin
     bool isKept = true;
+    double share =
+        1; ///< of a wall, 0..1: so much of what it lacks is given; 1 where sides are skin, which keeps what leads inwards
     std::uint8_t sides =
         0; ///< of a cut cell those to full cells, of a full one those that are skin; bit 2 axis for the
            ///< lower one, bit 2 axis + 1 for the upper one

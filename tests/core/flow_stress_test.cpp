@@ -141,6 +141,27 @@ private slots:
         QVERIFY2(std::abs(pulled - 1) < tolerance, qPrintable(QString("pulled: %1").arg(pulled)));
     }
 
+    /// Soon after it yields, where the ends count most that the plates press: a lump has ends as strong as its middle in all directions.
+    void isWhatWasTypedAtOnce_data()
+    {
+        QTest::addColumn<Vec3>("direction");
+        QTest::newRow("[001]") << Vec3(0, 0, 1);
+        QTest::newRow("[011]") << Vec3(0, 1, 1);
+        QTest::newRow("[111]") << Vec3(1, 1, 1);
+        QTest::newRow("[012]") << Vec3(0, 1, 2);
+        QTest::newRow("[123]") << Vec3(1, 2, 3);
+    }
+    void isWhatWasTypedAtOnce()
+    {
+        QFETCH(const Vec3, direction);
+        for (const auto& [cells, tolerance] : {std::pair(4.0, 0.07), std::pair(6.0, 0.04)}) {
+            const double pressed =
+                press(direction, cells, metal(1e7, 1e5, 0), 0.02, 0.25) * (1 - 0.019) / (width * width * 1e5);
+            qInfo("%g cells: %.3f of what was typed", cells, pressed);
+            QVERIFY2(std::abs(pressed - 1) < tolerance, qPrintable(QString::number(pressed)));
+        }
+    }
+
     /// Stiff and slow, stiff and fast: the force is the same.
     void doesNotDependOnTheTimeItTakes()
     {
