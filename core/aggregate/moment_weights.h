@@ -20,7 +20,8 @@ namespace knead {
 ///
 /// Walls of more than 8 cells keep their weights, which are right to 3 % there. So do lumps, which go on for no more than one and a half
 /// times their thickness: their ends would be weaker than their middle, and flow by 8 % too early where a plate presses them. Between them
-/// it passes over, see WallMeasure.
+/// it passes over, see WallMeasure. Sides that are skin are fitted up to four whole cells in lumps too: what leads inwards keeps its weights
+/// there.
 /// The volume of an object is an eighteenth of the weights of its connections, as before, so that no object is light against
 /// its springs; they sum to the volume of all cells, the weights of each family to it over a^3.
 ///

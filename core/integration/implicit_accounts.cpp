@@ -82,6 +82,7 @@ struct ImplicitEuler::Whole {
     double pushed = 0;          ///< of the same without directions [N s]
     double acts = 0;            ///< of all that touches it, without directions [N s]
     double mass = 0;            ///< [kg]
+    Vec3 gain = Vec3::Zero();   ///< of momentum in the step [N s]
     bool isHeld = false;
 
     /// Of the lack, along what it stands on; all of it where that is not flat.
@@ -94,14 +95,16 @@ struct ImplicitEuler::Whole {
     }
 
     /// The lack by what it may be.
-    double share() const
+    /// @param leastShare of the gain of momentum, which at least is to compare with: what flies and grazes something touches nearly nothing
+    double share(double leastShare) const
     {
         if (isHeld || acts == 0)
             return 0;
+        const double compared = std::max(acts, leastShare * gain.norm());
         const Vec3 side = sliding();
         return std::max(side.norm() / solverSettings.newton.wholeTolerance,
                         (lack - side).norm() / solverSettings.newton.pushedTolerance) /
-               acts;
+               compared;
     }
 };
 
@@ -130,6 +133,7 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
             Whole& whole = wholes[b][piecesOf(b).ofObject[i]];
             whole.lack += m_residual.at(m_first[b] + i);
             whole.mass += state.mass[i];
+            whole.gain += state.mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i));
             whole.isHeld = whole.isHeld || state.inverseMass[i] == 0;
         }
     }
@@ -138,14 +142,15 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
 
 /// What a piece as a whole lacks at most, by all that touches it; up to 1 it is balanced. The size of a residual hardly sees that
 /// of a stiff block that slides: its preconditioner takes what rubs for what sticks.
-double ImplicitEuler::lackOfWholes(const std::vector<ContactTangent>& tangents, double h) const
+/// @param leastShare see Whole::share()
+double ImplicitEuler::lackOfWholes(const std::vector<ContactTangent>& tangents, double h, double leastShare) const
 {
     double most = 0;
     if (tangents.empty())
         return most;
     for (const std::vector<Whole>& ofBody : wholesOf(tangents, h))
         for (const Whole& whole : ofBody)
-            most = std::max(most, whole.share());
+            most = std::max(most, whole.share(leastShare));
     return most;
 }
 

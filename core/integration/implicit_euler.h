@@ -53,6 +53,7 @@ public:
 
     struct Report {
         bool converged = true;    ///< else places and velocities are the best found, and a shorter step would do better
+        bool isWhole = true;      ///< no piece lacks more as a whole than it may, see NewtonSettings::wholeTolerance
         int newtonIterations = 0; ///< linear systems solved
         int iterations = 0;       ///< of conjugate gradients, in all of them
         double largestSpeed = 0;  ///< [m/s]; not finite when any velocity is not
@@ -121,7 +122,7 @@ private:
     void addContacts(const std::vector<ContactTangent>& tangents, double duration);
     struct Whole;
     std::vector<std::vector<Whole>> wholesOf(const std::vector<ContactTangent>& tangents, double h) const;
-    double lackOfWholes(const std::vector<ContactTangent>& tangents, double h) const;
+    double lackOfWholes(const std::vector<ContactTangent>& tangents, double h, double leastShare = 0) const;
     double elasticEnergy() const;
     void keepMomenta(const Vec3& gravity, double h);
     void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);

@@ -153,6 +153,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             measure(lack, tangents, h, isFirst);
             isBalanced = lack.isSmall && (isLast || lackOfWholes(tangents, h) <= 1);
         }
+        if (isLast) // of what a hand pushes at its limit shorter steps find no more
+            report.isWhole = !m_hands.empty() || lackOfWholes(tangents, h, newton.leastGain) <= 1;
         step.clings = false;
         if (isBalanced && report.contacts.clinging > 0) {
             look();
@@ -176,8 +178,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             continue;
         }
         if (isLast || !std::isfinite(lack.size)) {
-            report.converged = lack.size <= newton.failedTolerance * newton.failedTolerance * lack.reference &&
-                               lackOfWholes(tangents, h) <= 1;
+            report.converged = lack.size <= newton.failedTolerance * newton.failedTolerance * lack.reference;
             keepMomenta(gravity, h);
             break;
         }

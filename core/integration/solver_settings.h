@@ -74,8 +74,7 @@ struct NewtonSettings {
     /// Of the tolerance: share of what acts in the step at which it is done as well. What is near balance as it is
     /// costs no solution.
     double loadShare = 0.1;
-    double failedTolerance =
-        0.3; ///< above which a step has failed, and is halved; so has one in which a piece lacks as a whole
+    double failedTolerance = 0.3; ///< above which a step has failed, and is halved
     /// Of what was there before the first solution, so much is always enough to compare with: a body that is just let
     /// go of by all it touched has loads of nothing.
     double leastReference = 1e-6;
@@ -100,10 +99,14 @@ struct NewtonSettings {
     double farthestTrial = 0.9;
 
     // Share of what touches a piece that it may lack as a whole; and towards what it stands on, which makes up for
-    // that in the next step. More: pieces drift and turn; less: more solutions. Where that is not found the step is halved: else steel
-    // blocks stop on slopes, held by twice the friction that there is, as long steps find no slide that steep contacts answer to.
+    // that in the next step. More: pieces drift and turn; less: more solutions.
     double wholeTolerance = 3e-3;
     double pushedTolerance = 3e-2;
+    /// Steps that end with more than that are halved up to so often: long ones find no slide that steep contacts answer to, and a steel
+    /// block would stop on a slope, held by twice the friction that there is. What only grazes something is compared with this share of
+    /// the momentum that it gains.
+    int mostWholeHalvings = 4;
+    double leastGain = 0.1;
     double flatShare = 0.999; ///< of normals that add up, where a piece stands on something flat
 };
 

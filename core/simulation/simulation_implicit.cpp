@@ -328,7 +328,8 @@ void Simulation::State::stepImplicitly()
         for (std::size_t s = 0; s < likely.size(); ++s)
             travel.strayed =
                 std::max(travel.strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
-        const bool wentTooFar = !report.converged ||
+        const bool isLost = !report.isWhole && halvings < solverSettings.newton.mostWholeHalvings;
+        const bool wentTooFar = !report.converged || isLost ||
                                 report.largestSpeed * steps.length > implicitSteps.farthestShare * spacing ||
                                 travel.strayed > implicitSteps.travelShare * spacing;
         if (!wentTooFar || halvings == implicitSteps.mostHalvings)

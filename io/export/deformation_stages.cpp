@@ -89,8 +89,10 @@ public:
         const std::array<gp_Pln, 2> planes = planesOf(map.deformation());
         if (divideAt(planes))
             return;
-        const auto isMissed = [&](const gp_Pln& plane) { return !divideAt({&plane, 1}); };
-        const auto missed = static_cast<std::size_t>(std::ranges::count_if(planes, isMissed));
+        std::size_t missed = 0;
+        for (const gp_Pln& plane : planes)
+            if (!divideAt({&plane, 1}))
+                ++missed;
         if (missed == planes.size())
             m_part.remarks.push_back(
                 Message("Export",

@@ -4,6 +4,7 @@
 
 #include <BRepClass3d.hxx>
 #include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -12,6 +13,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace knead {
@@ -87,25 +89,35 @@ OrderedShape withFaceFirst(const TopoDS_Shape& shape, std::size_t first)
 }
 
 std::vector<std::uint32_t> orderReadBack(const TopoDS_Shape& written, const TopoDS_Shape& back, double near)
-{
+try {
     const std::vector<Vec3> wanted = middlesOf(written);
     const std::vector<Vec3> found = middlesOf(back);
     if (wanted.size() != found.size())
         return {};
     std::vector<std::uint32_t> order(found.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::vector<std::uint32_t> left; // out of order
+    std::vector<std::uint32_t> faces; // out of order, and where they may be
     for (const std::uint32_t face : order)
         if ((found[face] - wanted[face]).norm() > near)
-            left.push_back(face);
-    std::vector<std::uint32_t> places = left;
-    for (const std::uint32_t face : left) {
-        const auto nearest = std::ranges::min_element(
-            places, {}, [&](std::uint32_t place) { return (found[place] - wanted[face]).squaredNorm(); });
-        order[*nearest] = face;
-        places.erase(nearest);
-    }
+            faces.push_back(face);
+    std::vector<std::uint32_t> places = faces;
+    const auto take =
+        [&](double reach) { // those that lie so near first, so that one that moved takes no place of another
+            std::erase_if(faces, [&](std::uint32_t face) {
+                const auto nearest = std::ranges::min_element(
+                    places, {}, [&](std::uint32_t place) { return (found[place] - wanted[face]).squaredNorm(); });
+                if ((found[*nearest] - wanted[face]).norm() > reach)
+                    return false;
+                order[*nearest] = face;
+                places.erase(nearest);
+                return true;
+            });
+        };
+    take(near);
+    take(std::numeric_limits<double>::infinity());
     return order;
+} catch (const Standard_Failure&) { // edges without curves
+    return {};
 }
 
 } // namespace knead

@@ -24,7 +24,8 @@ OrderedShape withFaceFirst(const TopoDS_Shape& shape, std::size_t first);
 /// faces, where it begins at the first one and goes on to its neighbors. A face is the one of its number when their edges lie
 /// at the same place, else the nearest of those that are left.
 /// @param near how far the middles of their edges may be apart [mm], > 0
-/// @return per face of `back`, in the order of TopExp, the number of that of `written`, each once; none when they are not as many
+/// @return per face of `back`, in the order of TopExp, the number of that of `written`, each once; none when they are not as many, or
+/// when nothing says where an edge is
 std::vector<std::uint32_t> orderReadBack(const TopoDS_Shape& written, const TopoDS_Shape& back, double near);
 
 } // namespace knead

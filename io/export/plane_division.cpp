@@ -32,6 +32,7 @@ constexpr double touching = 1e-5;   // [mm]: what only comes so near to a plane 
 
 // [mm], one after the other: edges of a face that lies in a plane may miss it by more than their tolerance tells.
 constexpr std::array fuzzinesses{0.0, 1e-4, 1e-3};
+constexpr double mostFuzziness = 2e-5; // of the size
 
 double sizeOfBox(const TopoDS_Shape& shape)
 {
@@ -178,44 +179,63 @@ std::optional<PlaneDivision> divide(const TopoDS_Shape& shape, const TopTools_Li
     return result;
 }
 
+/// Faces of planes as large as a shape, those that go through a face of it.
+TopTools_ListOfShape facesAt(std::span<const gp_Pln> planes, const TopoDS_Shape& shape,
+                             const TopTools_IndexedMapOfShape& faces)
+{
+    TopTools_ListOfShape tools;
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box);
+    const gp_Pnt middle(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
+    const double size = sizeOfBox(shape);
+    for (const gp_Pln& plane : planes) {
+        bool isNeeded = false;
+        for (int i = 1; i <= faces.Extent() && !isNeeded; ++i)
+            isNeeded = mayGoThrough(faces(i), plane);
+        if (!isNeeded)
+            continue;
+        const gp_Vec offset(middle, plane.Location());
+        const gp_Vec normal(plane.Axis().Direction());
+        const gp_Pln near(middle.Translated(offset.Dot(normal) * normal), plane.Axis().Direction());
+        tools.Append(BRepBuilderAPI_MakeFace(near, -size, size, -size, size).Face());
+    }
+    return tools;
+}
+
+std::optional<PlaneDivision> tryToDivide(const TopoDS_Shape& shape, const TopTools_ListOfShape& tools, double fuzziness)
+{
+    try {
+        return divide(shape, tools, fuzziness);
+    } catch (const Standard_Failure&) {
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 std::optional<PlaneDivision> dividedAtPlanes(const TopoDS_Shape& shape, std::span<const gp_Pln> planes)
 {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    TopTools_ListOfShape tools;
+    double size = 0;
     try {
-        TopTools_ListOfShape tools;
-        Bnd_Box box;
-        BRepBndLib::Add(shape, box);
-        const gp_Pnt middle(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
-        const double size = sizeOfBox(shape);
-        for (const gp_Pln& plane : planes) {
-            bool isNeeded = false;
-            for (int i = 1; i <= faces.Extent() && !isNeeded; ++i)
-                isNeeded = mayGoThrough(faces(i), plane);
-            if (!isNeeded)
-                continue;
-            const gp_Vec offset(middle, plane.Location());
-            const gp_Vec normal(plane.Axis().Direction());
-            const gp_Pln near(middle.Translated(offset.Dot(normal) * normal), plane.Axis().Direction());
-            tools.Append(BRepBuilderAPI_MakeFace(near, -size, size, -size, size).Face());
-        }
-        for (const double fuzziness : fuzzinesses) {
-            if (tools.IsEmpty())
-                break;
-            if (auto divided = divide(shape, tools, fuzziness))
-                return divided;
-        }
-        if (!tools.IsEmpty())
-            return std::nullopt;
+        tools = facesAt(planes, shape, faces);
+        size = sizeOfBox(shape);
     } catch (const Standard_Failure&) {
         return std::nullopt;
     }
-    PlaneDivision whole{{shape, {}}, 0};
-    for (int i = 0; i < faces.Extent(); ++i)
-        whole.shape.origin.push_back(static_cast<std::uint32_t>(i));
-    return whole;
+    if (tools.IsEmpty()) {
+        PlaneDivision whole{{shape, {}}, 0};
+        for (int i = 0; i < faces.Extent(); ++i)
+            whole.shape.origin.push_back(static_cast<std::uint32_t>(i));
+        return whole;
+    }
+    for (const double fuzziness : fuzzinesses)
+        if (fuzziness <= mostFuzziness * size)
+            if (auto divided = tryToDivide(shape, tools, fuzziness))
+                return divided;
+    return std::nullopt;
 }
 
 } // namespace knead

@@ -5,6 +5,7 @@
 
 #include "core/aggregate/cell_corners.h"
 #include "core/aggregate/cut_cells.h"
+#include "core/aggregate/wall_measure.h"
 #include "core/geometry/mass_properties.h"
 
 #include <QTest>
@@ -150,7 +151,7 @@ private slots:
     void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial()
     {
         // At their middles, with 0.082 a^2 more along each axis for connections along axes, 0.007 a^2 less for diagonal ones. The rule
-        // for thick bodies alone is 0.17 a^2 and more above the material's.
+        // for thick bodies alone is 0.17 a^2 and more above the material's. So long that what its ends have, which are a lump's, counts little.
         QFETCH(Quaternion, turn);
         const Vec3 sides(28.6, 3.6, 5.45);
         const Aggregate aggregate = fill(shapes::moved(shapes::box(sides), {Vec3::Zero(), turn}), {.spacing = 1});
@@ -171,6 +172,42 @@ private slots:
             QVERIFY2((first / sum).norm() < 0.02, qPrintable(QString::number((first / sum).norm())));
             QVERIFY2(error < 0.03, qPrintable(QString::number(error)));
         }
+    }
+
+    /// Bars that get longer, from a cube on: their sides pass over to those of walls by and by, at any angle.
+    void lumpsPassOverToWallsByAndBy_data() { addTurns(); }
+    void lumpsPassOverToWallsByAndBy()
+    {
+        QFETCH(Quaternion, turn);
+        double before = 0;
+        for (double length = 4.6; length < 16; length += 0.4) {
+            const TriangleMesh mesh = shapes::moved(shapes::box({4.6, 4.6, length}), {Vec3::Zero(), turn});
+            const CellGrid grid = gridAround(massProperties(mesh).box, 1);
+            const CutCells cells = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
+            const CellFinder finder(cells);
+            const WallMeasure measure(finder);
+            double share = 0; // of those in its middle
+            double count = 0;
+            for (std::size_t u = 0; u < cells.slabs.size(); ++u)
+                for (const CutCells::Cut& cut : cells.slabs[u].cut) {
+                    const Lattice::Node cell{static_cast<std::int32_t>(u), cut.v, cut.w};
+                    const Vec3 middle =
+                        grid.frame.axes * Vec3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) + grid.frame.origin;
+                    if (std::abs((turn.inverse() * middle).z()) > 1.5)
+                        continue;
+                    const double one = measure.share(cell);
+                    QVERIFY(one >= 0 && one <= 1);
+                    share += one;
+                    ++count;
+                }
+            share /= count;
+            if (length < 5.5)
+                QVERIFY2(share < 0.05, qPrintable(QString("%1: %2").arg(length).arg(share)));
+            QVERIFY2(length < 5 || share - before < 0.5,
+                     qPrintable(QString("%1: %2, %3").arg(length).arg(before).arg(share)));
+            before = share;
+        }
+        QVERIFY2(before > 0.95, qPrintable(QString::number(before)));
     }
 
     void massesAreAnEighteenthOfTheConnectionsAndPositive()

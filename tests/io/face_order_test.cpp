@@ -122,7 +122,8 @@ void FaceOrderTest::facesThatCameBackInAnotherOrderAreCompared()
     job.tree.children.push_back({part.part.name, 0, {}});
     part.map = std::make_shared<maps::Twist>(part.part.box, 0.3);
     for (std::size_t i = 0; i < part.part.faces.size(); ++i)
-        part.part.faces[i] = {.color = Color{0, i % 2 == 0 ? 1.0F : 0.0F, 0}, .name = "face " + std::to_string(i)};
+        part.part.faces[i] = {.color = Color{0, i % 2 == 0 ? 1.0F : 0.0F, 0},
+                              .name = std::string("Seat ") + static_cast<char>('A' + i)};
     std::vector<ReadyPart> written;
     std::string bytes;
     {

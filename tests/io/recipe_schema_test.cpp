@@ -2,6 +2,7 @@
 #include "core/model/file_formats.h"
 #include "support/full_recipes.h"
 #include "support/recipe_texts.h"
+#include "support/skip.h"
 
 #include <QtTest>
 
@@ -374,7 +375,7 @@ void RecipeSchemaTest::examplesFit()
     QVERIFY(examples.size() > 8);
     const std::vector<bool> verdicts = verdictsOn(examples);
     if (verdicts.empty())
-        QSKIP("There is no validator: install python3-jsonschema.");
+        KNEAD_SKIP_WITHOUT("tools", "There is no validator: install python3-jsonschema.");
     QCOMPARE(verdicts, std::vector<bool>(examples.size(), true));
 }
 
@@ -387,7 +388,7 @@ void RecipeSchemaTest::verdictsAreThoseOfTheReader()
     }
     const std::vector<bool> verdicts = verdictsOn(variants);
     if (verdicts.empty())
-        QSKIP("There is no validator: install python3-jsonschema.");
+        KNEAD_SKIP_WITHOUT("tools", "There is no validator: install python3-jsonschema.");
     QCOMPARE(verdicts.size(), variants.size());
     std::size_t good = 0;
     int different = 0;

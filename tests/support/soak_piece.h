@@ -346,7 +346,8 @@ private:
                            std::to_string(1e3 * report.tolerance) + " mm");
     }
 
-    /// How far triangles reach through each other at most: the lesser part beyond the plane of the other one [m].
+    /// How far triangles reach through each other at most: the lesser part beyond the plane of the other one [m]. The export finds that
+    /// too (surface_flaws.cpp); it is not judged by its own code here.
     static double depthOf(const TriangleMesh& mesh, const Crossings& crossings)
     {
         const auto beyond = [&](const TriangleMesh::Triangle& plane, const TriangleMesh::Triangle& other) {
