@@ -216,7 +216,7 @@ private:
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 12; ++i) {
             QTest::mouseMove(&view, from + way * i / 12);
-            QTest::qWait(20);
+            seen(); // so that each of them is in a step of its own, however busy the machine is
         }
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + way);
     }
