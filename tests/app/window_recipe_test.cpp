@@ -381,7 +381,7 @@ private:
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 6; ++i) {
             QTest::mouseMove(&view, from + way * i / 6);
-            QTest::qWait(10);
+            seen();
         }
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + way);
     }

@@ -115,7 +115,7 @@ private:
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 12; ++i) {
             QTest::mouseMove(&view, from + way * i / 12);
-            QTest::qWait(20);
+            seen();
         }
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + way);
     }
