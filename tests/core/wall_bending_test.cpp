@@ -4,6 +4,7 @@
 #include "support/thread_limit.h"
 
 #include "core/aggregate/cell_corners.h"
+#include "core/aggregate/cell_finder.h"
 #include "core/aggregate/cut_cells.h"
 #include "core/aggregate/wall_measure.h"
 #include "core/geometry/mass_properties.h"
@@ -172,6 +173,33 @@ private slots:
             QVERIFY2((first / sum).norm() < 0.02, qPrintable(QString::number((first / sum).norm())));
             QVERIFY2(error < 0.03, qPrintable(QString::number(error)));
         }
+    }
+
+    void cellsAreFoundByTheirPlace()
+    {
+        // A box with a hollow: rows have gaps.
+        const TriangleMesh mesh = shapes::moved(shapes::hollowBox({9, 9, 9}, {4.2, 4.2, 4.2}), shapes::tilt(0.6));
+        const CellGrid grid = gridAround(massProperties(mesh).box, 1);
+        const CutCells cells = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
+        const CellFinder finder(cells);
+        double kept = 0;
+        std::size_t cut = 0;
+        for (std::int32_t u = -1; u <= grid.count[0]; ++u)
+            for (std::int32_t v = -1; v <= grid.count[1]; ++v)
+                for (std::int32_t w = -1; w <= grid.count[2]; ++w) {
+                    const Lattice::Node cell{u, v, w};
+                    QCOMPARE(finder.isFull(cell), finder.fraction(cell) >= CellFinder::full);
+                    kept += finder.fraction(cell);
+                    cut += finder.isCut(cell) ? 1 : 0;
+                }
+        QVERIFY(std::abs(kept / cells.keptVolume() - 1) < 1e-12);
+        const auto cutIn = [](std::size_t sum, const CutCells::Slab& slab) { return sum + slab.cut.size(); };
+        QCOMPARE(cut, std::accumulate(cells.slabs.begin(), cells.slabs.end(), std::size_t{0}, cutIn));
+        const Vec3 middle = grid.frame.axes.transpose() * (Vec3::Zero() - grid.frame.origin);
+        const Lattice::Node hollow{static_cast<std::int32_t>(middle[0]), static_cast<std::int32_t>(middle[1]),
+                                   static_cast<std::int32_t>(middle[2])};
+        QCOMPARE(finder.fraction(hollow), 0.0);
+        QVERIFY(!finder.isCut(hollow));
     }
 
     /// Bars that get longer, from a cube on: their sides pass over to those of walls by and by, at any angle.
