@@ -12,4 +12,15 @@ std::size_t Aggregate::connectionCount() const
     return count;
 }
 
+std::vector<double> Aggregate::borneVolume() const
+{
+    const double share = lattice.spacing * lattice.spacing * lattice.spacing / 18;
+    std::vector<double> borne(size(), 0);
+    forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
+        borne[lower] += share * weight[d][lower];
+        borne[upper] += share * weight[d][lower];
+    });
+    return borne;
+}
+
 } // namespace knead

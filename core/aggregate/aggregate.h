@@ -59,6 +59,10 @@ struct Aggregate {
     std::size_t size() const { return lattice.size(); }
     std::size_t connectionCount() const; ///< structural connections (weight > 0)
 
+    /// Per object an eighteenth of the weights of its connections, times a^3: its volume, but in walls of less than 1.75 cells, see
+    /// loosenThinWalls() [m^3].
+    std::vector<double> borneVolume() const;
+
     /// Calls visit(direction, lower, upper) for every structural connection and its two objects, direction by direction.
     template <typename Visit>
     void forEachConnection(Visit&& visit) const

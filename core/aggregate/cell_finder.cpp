@@ -18,14 +18,22 @@ double CellFinder::fraction(const CutCells::Row& row, std::int32_t w)
 
 bool CellFinder::isCut(const Lattice::Node& cell) const
 {
-    if (!hasSlab(cell[0]))
-        return false;
-    const std::vector<CutCells::Cut>& cut = m_cells.slabs[static_cast<std::size_t>(cell[0])].cut;
-    const auto found =
-        std::lower_bound(cut.begin(), cut.end(), cell, [](const CutCells::Cut& one, const Lattice::Node& other) {
-            return one.v != other[1] ? one.v < other[1] : one.w < other[2];
-        });
-    return found != cut.end() && found->v == cell[1] && found->w == cell[2];
+    return !cutInRow(cell[0], cell[1], cell[2], cell[2]).empty();
+}
+
+std::span<const CutCells::Cut> CellFinder::cutInRow(std::int32_t u, std::int32_t v, std::int32_t first,
+                                                    std::int32_t last) const
+{
+    if (!hasSlab(u))
+        return {};
+    const std::vector<CutCells::Cut>& cut = m_cells.slabs[static_cast<std::size_t>(u)].cut;
+    const auto begin = std::lower_bound(cut.begin(), cut.end(), first, [v](const CutCells::Cut& one, std::int32_t w) {
+        return one.v != v ? one.v < v : one.w < w;
+    });
+    auto end = begin;
+    while (end != cut.end() && end->v == v && end->w <= last)
+        ++end;
+    return {begin, end};
 }
 
 } // namespace knead

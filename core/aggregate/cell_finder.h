@@ -31,6 +31,10 @@ public:
     /// Whether the surface goes through its inside.
     bool isCut(const Lattice::Node& cell) const;
 
+    /// Those that the surface goes through, from one w to another, both included.
+    std::span<const CutCells::Cut> cutInRow(std::int32_t u, std::int32_t v, std::int32_t first,
+                                            std::int32_t last) const;
+
 private:
     bool hasSlab(std::int32_t u) const { return u >= 0 && static_cast<std::size_t>(u) < m_cells.slabs.size(); }
 

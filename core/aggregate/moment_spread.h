@@ -30,6 +30,13 @@ public:
     /// The objects around a node, ((u * across) + v) * across + w; a number beyond all objects where there is none.
     using Objects = std::array<ObjectIndex, nodes>;
 
+    /// From the node to that of an entry of Objects.
+    static Vec3 stepTo(std::size_t entry)
+    {
+        const auto along = [](std::size_t place) { return static_cast<double>(place) - reach; };
+        return {along(entry / (across * across)), along(entry / across % across), along(entry % across)};
+    }
+
     struct Share {
         std::uint32_t node; ///< lower end of the connection, as in Objects
         double weight;      ///< m_b

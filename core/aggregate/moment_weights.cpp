@@ -1,9 +1,12 @@
 #include "core/aggregate/moment_weights.h"
 
 #include "core/aggregate/lattice_rows.h"
+#include "core/aggregate/local_shape.h"
 #include "core/aggregate/moment_spread.h"
+#include "core/aggregate/objects_around.h"
 #include "core/aggregate/thin_blocks.h"
 #include "core/aggregate/thin_cells.h"
+#include "core/aggregate/thin_walls.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
@@ -18,52 +21,8 @@ constexpr std::size_t familyCount = Lattice::isotropicCount;
 
 constexpr std::array<std::size_t, 3> alongAxes{0, 1, 2};
 
-// Of a full connection. A wall's outermost ones may be asked for less than nothing; springs must push back. A bar of one cell is
-// 1.31 times as stiff as it should be with .01, 1.20 times with this.
-constexpr double leastWeight = 0.005;
-
-/// The objects around nodes, quicker for nodes of the same row one after the other.
-class ObjectsAround {
-public:
-    ObjectsAround(const Lattice& lattice, const LatticeRows& rows)
-        : m_lattice(lattice)
-        , m_rows(rows)
-    {
-    }
-
-    const MomentSpread::Objects& around(const Lattice::Node& node)
-    {
-        constexpr std::int32_t across = MomentSpread::across;
-        m_objects.fill(static_cast<ObjectIndex>(m_lattice.size()));
-        if (m_row != std::array{node[0], node[1]})
-            goTo(node[0], node[1]);
-        const std::int32_t low = node[2] - MomentSpread::reach;
-        for (std::size_t row = 0; row < m_around.size(); ++row)
-            for (ObjectIndex i = m_rows.lowerBound(m_around[row], low); i < m_around[row].end; ++i) {
-                const std::int32_t w = m_lattice.nodes[i][2] - low;
-                if (w >= across)
-                    break;
-                m_objects[row * across + static_cast<std::size_t>(w)] = i;
-            }
-        return m_objects;
-    }
-
-private:
-    void goTo(std::int32_t u, std::int32_t v)
-    {
-        constexpr std::int32_t across = MomentSpread::across;
-        m_row = {u, v};
-        for (std::int32_t row = 0; row < across * across; ++row)
-            m_around[static_cast<std::size_t>(row)] =
-                m_rows.row(u - MomentSpread::reach + row / across, v - MomentSpread::reach + row % across);
-    }
-
-    const Lattice& m_lattice;
-    const LatticeRows& m_rows;
-    std::array<std::int32_t, 2> m_row{-1, -1}; ///< (u, v) of the node now
-    std::array<LatticeRows::Row, MomentSpread::nodes / MomentSpread::across> m_around{};
-    MomentSpread::Objects m_objects{};
-};
+// Of a full connection. A wall's outermost ones may be asked for less than nothing; springs must push back.
+constexpr double leastWeight = 0.016;
 
 class MomentFit {
 public:
@@ -116,6 +75,15 @@ private:
     std::vector<std::vector<double>> m_weight; // per family
 };
 
+void findShapes(const CutCells& cells, std::vector<std::vector<ThinBlock>>& blocks)
+{
+    const CellFinder finder(cells);
+    forEachBlock(blocks.size(), 1, [&](std::size_t i, std::size_t) {
+        for (ThinBlock& block : blocks[i])
+            block.setShape(localShapeAt(finder, block.centerInLattice()));
+    });
+}
+
 /// One family of a pair of slabs at a time, so that flat bodies have work for several threads.
 void fitFamilies(MomentFit& fit, std::vector<std::vector<ThinBlock>>& blocks,
                  const std::array<std::size_t, 3>& families, TaskControl& control)
@@ -146,19 +114,6 @@ void setWeights(Aggregate& aggregate, std::vector<std::vector<double>> weight, d
     });
 }
 
-/// An eighteenth of the weights of its connections, as in the bulk, where there are as many.
-void setVolumes(Aggregate& aggregate)
-{
-    const double a = aggregate.lattice.spacing;
-    const double share = a * a * a / 18;
-    std::ranges::fill(aggregate.volume, 0.0);
-    aggregate.forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {
-        const double volume = share * aggregate.weight[d][lower];
-        aggregate.volume[lower] += volume;
-        aggregate.volume[upper] += volume;
-    });
-}
-
 } // namespace
 
 Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskControl& control)
@@ -168,13 +123,15 @@ Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskCont
         return aggregate;
 
     std::vector<std::vector<ThinBlock>> blocks = thinBlocksOf(thin);
+    findShapes(cells, blocks);
     MomentFit fit(cells, aggregate);
     TaskPortion first(control, 0, 0.5);
     fitFamilies(fit, blocks, faceDiagonals, first);
     TaskPortion second(control, 0.5, 1);
     fitFamilies(fit, blocks, alongAxes, second);
     setWeights(aggregate, fit.takeWeights(), cells.volume());
-    setVolumes(aggregate);
+    aggregate.volume = aggregate.borneVolume(); // in thin walls there are not as many connections as in the bulk
+    loosenThinWalls(aggregate, blocks);
     return aggregate;
 }
 

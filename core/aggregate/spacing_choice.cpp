@@ -134,8 +134,8 @@ double spacingFor(const SpacingChoice& choice, const FillingSize& size)
 double bendingErrorOf(double cellsAcross)
 {
     constexpr double sound = 0.1;
-    constexpr double rough = 0.2;  // from 1.3 cells on
-    constexpr double coarse = 0.5; // from one cell on
+    constexpr double rough = 0.4;  // from 1.3 cells on
+    constexpr double coarse = 0.8; // from one cell on
     constexpr double roughest = 1.3;
     constexpr double rounding = 1 - 1e-6;
     if (cellsAcross >= fewestCellsAcrossWall * rounding)

@@ -57,7 +57,7 @@ constexpr double advisedCellsAcrossWall = 2;   ///< bending is right within a te
 constexpr double goodCellsAcrossWall = 3;      ///< twisting as well, and stress at the skin begins to be
 
 /// By how much bending of a wall may come out too stiff at worst, as a share of its stiffness: 0.2 is 20 %. Measured on
-/// cantilevers, tilted and not, of every thickness; infinite below one cell.
+/// bars of every thickness at twelve tilts, of material that yields too; infinite below one cell.
 double bendingErrorOf(double cellsAcross);
 
 /// Without a warning when no wall is measured.

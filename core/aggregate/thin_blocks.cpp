@@ -8,32 +8,37 @@ namespace knead {
 
 namespace {
 
-/// Second moment [a^2] that the material gets beside its own, per family.
-///
-/// A lattice bends a little softer than the continuum between its surfaces, and twists stiffer, as few objects across
-/// cannot warp: with two cells across not at all, which takes a sixth of a square's stiffness. Connections along the axes bear
-/// bending alone, diagonal ones bear all of torsion, so the former get more and the latter less.
-constexpr double softness(std::size_t direction)
-{
-    return direction < 3 ? 0.082 : -0.007;
-}
-
-/// The same beside sides of full cells that are skin: of bars of two and three whole cells, torsion comes to 1.13 and 1.08, not 1.16
-/// and 1.10.
-constexpr double softnessOfBareSides(std::size_t direction)
-{
-    return direction < 3 ? 0.082 : -0.017;
-}
-
-// What diagonal connections across a wall of less than three cells have too much or too little of, those along the axes make
-// up for. In a bar bent along u, diagonals have (1 - nu)^2 / 2 of the energy of connections along u, 1.125 of it for nu = 1/4 and
-// four of them. A sheet, which stays as wide, needs more, and so does what the least weight leaves over: bars of 1.15 cells are
-// 1.31 with 1.125, 1.09 with 2 and .97 with 3 times as stiff as they should be, of 2 cells 1.04, 1.08 and 1.13.
-constexpr double borneByAxes = 1.9;
-
 bool goesAlong(std::size_t direction, std::size_t axis)
 {
     return Lattice::directions[direction][axis] != 0;
+}
+
+/// 0 in plates and lumps, 1 along a thin bar.
+double alongBar(std::size_t direction, const LocalShape& shape)
+{
+    const Lattice::Node& ahead = Lattice::directions[direction];
+    const double part = std::clamp((shape.along(Vec3(ahead[0], ahead[1], ahead[2])) - 0.5) / 0.48, 0.0, 1.0);
+    return part * part;
+}
+
+/// Second moment [a^2] along an axis that the material gets beside its own, per family.
+///
+/// A bar of few cells is bent too softly by what lies between the surfaces of its lattice, and twisted too stiffly, as few
+/// objects across cannot warp: with two across not at all, which takes a sixth of a square's stiffness. What runs along the bar bears
+/// bending and no torsion, and gets more; what leads from one of its sides to the other bears torsion and gets less, the thinner it is.
+/// The numbers serve square bars and plates of one to six cells at twelve tilts best.
+double stiffening(std::size_t direction, std::size_t axis, const LocalShape& shape)
+{
+    const double along = 0.11 * alongBar(direction, shape);
+    if (direction < 3)
+        return along - 0.032;
+    return along + (goesAlong(direction, axis) ? 0.04 : -0.016 * std::max(0.0, 3.8 - shape.thickness()));
+}
+
+/// The same beside sides of full cells that are skin.
+constexpr double stiffeningOfBareSides(std::size_t direction)
+{
+    return direction < 3 ? 0.082 : -0.0145;
 }
 
 /// Second moment along `axis` of a unit of weight that joinCells() gives the connections of a cell.
@@ -151,15 +156,15 @@ QuadraticMoments ThinBlock::moments(std::size_t direction) const
     QuadraticMoments sum = m_material;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double even = evenlyJoined(direction, axis);
-        const double excess = even - 1.0 / 12 - softness(direction);
-        sum[4 + axis] += softness(direction) * m_volume - even * m_keptVolume;
+        const double excess = even - 1.0 / 12 - stiffening(direction, axis, m_shape);
+        sum[4 + axis] += stiffening(direction, axis, m_shape) * m_volume - even * m_keptVolume;
         addTo(sum, m_sides[axis], excess);
         if (!goesAlong(direction, axis))
-            addTo(sum, m_bareSides[axis], even - 1.0 / 12 - softnessOfBareSides(direction));
+            addTo(sum, m_bareSides[axis], even - 1.0 / 12 - stiffeningOfBareSides(direction));
     }
     sum = moved(sum, -center());
     if (direction < faceDiagonals.size())
-        addTo(sum, meanResidual(direction), -borneByAxes);
+        addTo(sum, meanResidual(direction), -1);
     return sum;
 }
 
@@ -168,7 +173,7 @@ void ThinBlock::setResidual(std::size_t direction, const QuadraticMoments& resid
     QuadraticMoments leftOut{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (goesAlong(direction, axis))
-            addTo(leftOut, m_bareSides[axis], 1.0 / 12 + softness(direction));
+            addTo(leftOut, m_bareSides[axis], 1.0 / 12);
     QuadraticMoments& sum = m_residual[diagonalNumber(direction)];
     sum = moved(leftOut, -center());
     addTo(sum, residual, 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/local_shape.h"
 #include "core/aggregate/moment_spread.h"
 #include "core/aggregate/thin_cells.h"
 
@@ -17,7 +18,7 @@ constexpr std::array<std::size_t, 3> faceDiagonals{3, 5, 7};
 ///  - of a cut cell the moments of its material, less what it gave already;
 ///  - of the sides of full cells -excess / 2 times the derivative along the outward normal, taken over the side. Between full
 ///    cells the second moments that are too large cancel but for these.
-/// excess = evenlyJoined() - 1/12 - softness() differs from family to family, so what it multiplies is summed up apart.
+/// excess = evenlyJoined() - 1/12 - stiffening() differs from family to family, so what it multiplies is summed up apart.
 ///
 /// Sides that are skin (bare) are flat and on nodes, where joinCells() is exact in uniform strain. It stays so as long as the
 /// connections that lead inwards keep their weights, so only those along the side are fitted, and what the others lack is borne by
@@ -42,6 +43,13 @@ public:
     /// Middle of the material, from the node [a].
     Vec3 center() const { return m_centers / m_cells; }
 
+    /// The same in coordinates of the lattice.
+    Vec3 centerInLattice() const { return Vec3(m_node[0], m_node[1], m_node[2]) + center(); }
+
+    /// Of the material around it. Before moments().
+    void setShape(const LocalShape& shape) { m_shape = shape; }
+    const LocalShape& shape() const { return m_shape; }
+
     /// About the middle of the material. Those of connections along the axes are known once setResidual() was called for all
     /// faceDiagonals.
     QuadraticMoments moments(std::size_t direction) const;
@@ -56,6 +64,7 @@ private:
 
     Place m_place;
     Lattice::Node m_node;
+    LocalShape m_shape;
     Vec3 m_centers = Vec3::Zero();
     double m_cells = 0;
     double m_volume = 0;     // of cut cells

@@ -91,7 +91,8 @@ struct ConnectionData {
     std::shared_ptr<const Aggregate> aggregate;
     const MaterialMap* materials;
     ConnectionLaws laws;
-    DirectionArray stiffness; ///< k [N/m] at the lower object; 0 = no connection
+    std::vector<double> borneVolume; ///< V [m^3]
+    DirectionArray stiffness;        ///< k [N/m] at the lower object; 0 = no connection
     ConnectionChanges changes;
     std::uint64_t lengthVersion = 0;
     std::size_t count = 0;

@@ -235,7 +235,7 @@ void findLiveShape(ConnectionData& data, ObjectIndex object)
     const double share = std::clamp(solver.eigenvalues()[0], 0.0, 1.0);
     setInverseShape(data, object, share < leastLiveShape ? Mat3::Zero() : live);
     if (data.tensors)
-        data.tensors->volume[object] = share * data.aggregate->volume[object];
+        data.tensors->volume[object] = share * data.borneVolume[object];
 }
 
 double breakAll(ConnectionData& data, const ObjectState& state, const std::vector<BrokenConnection>& connections,

@@ -94,7 +94,7 @@ void findTensorNumbers(ConnectionData& data)
         return;
     const std::size_t count = data.aggregate->size();
     TensorBody& body = *data.tensors;
-    body.volume.assign(data.aggregate->volume.begin(), data.aggregate->volume.end()); // see findLiveShape(data)
+    body.volume.assign(data.borneVolume.begin(), data.borneVolume.end()); // see findLiveShape(data)
     body.energy.assign(count, 0);
     findRubber(data);
     if (data.materials->isUniform())
@@ -155,7 +155,7 @@ void findInverseShapes(ConnectionData& data)
         });
     }
     for (ObjectIndex i = 0; i < count; ++i) {
-        data.bulk[i] = bulkModulus(data.materials->of(i)) * data.aggregate->volume[i];
+        data.bulk[i] = bulkModulus(data.materials->of(i)) * data.borneVolume[i];
         setInverseShape(data, i, shape[i]);
     }
     findTensorNumbers(data);
@@ -173,6 +173,7 @@ ConnectionData::ConnectionData(std::shared_ptr<const Aggregate> of, const Materi
     : aggregate(std::move(of))
     , materials(&materialsOfIt)
     , laws(materialsOfIt, aggregate->lattice.spacing)
+    , borneVolume(aggregate->borneVolume())
 {
     std::size_t largestOffset = 0;
     for (const auto& segments : aggregate->lattice.segments)

@@ -80,8 +80,8 @@ private slots:
     void errorsOfBendingFallWithTheCells()
     {
         QVERIFY(std::isinf(bendingErrorOf(0.99)));
-        QCOMPARE(bendingErrorOf(1), 0.5);
-        QCOMPARE(bendingErrorOf(1.3), 0.2);
+        QCOMPARE(bendingErrorOf(1), 0.8);
+        QCOMPARE(bendingErrorOf(1.3), 0.4);
         QCOMPARE(bendingErrorOf(1.75), 0.1);
         QCOMPARE(bendingErrorOf(6), 0.1);
     }

@@ -2,18 +2,16 @@
 // lattice and across it. KNEAD_WALL_SWEEP=1 measures every twentieth of a cell instead of a few numbers of cells.
 #include "support/bars.h"
 #include "support/thread_limit.h"
+#include "support/turns.h"
 
 #include "core/aggregate/cell_corners.h"
-#include "core/aggregate/cell_finder.h"
 #include "core/aggregate/cut_cells.h"
-#include "core/aggregate/wall_measure.h"
 #include "core/geometry/mass_properties.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 using namespace knead;
 
@@ -23,16 +21,6 @@ using bars::about;
 using bars::Bar;
 
 constexpr double a = bars::spacing;
-
-const Quaternion tiltedInThreeAxes = about(17, Vec3::UnitX()) * about(23, Vec3::UnitY()) * about(31, Vec3::UnitZ());
-
-void addTurns()
-{
-    QTest::addColumn<Quaternion>("turn");
-    QTest::newRow("along the lattice") << Quaternion::Identity();
-    QTest::newRow("29 degrees across") << about(29, Vec3::UnitY());
-    QTest::newRow("tilted in three axes") << tiltedInThreeAxes;
-}
 
 bool isSweep()
 {
@@ -110,7 +98,7 @@ class WallBendingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void cellsHaveTheMomentsOfTheirMaterial_data() { addTurns(); }
+    void cellsHaveTheMomentsOfTheirMaterial_data() { turns::addRows(); }
     void cellsHaveTheMomentsOfTheirMaterial()
     {
         // Over all cells, cut ones by their moments and full ones by their places, they are those of the box.
@@ -148,16 +136,23 @@ private slots:
         QVERIFY((second / volume - middle * middle.transpose() - expected).norm() < 1e-10);
     }
 
-    void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial_data() { addTurns(); }
+    void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial_data() { turns::addRows(); }
     void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial()
     {
-        // At their middles, with 0.082 a^2 more along each axis for connections along axes, 0.007 a^2 less for diagonal ones. The rule
-        // for thick bodies alone is 0.17 a^2 and more above the material's. So long that what its ends have, which are a lump's, counts little.
+        // At their middles, but for what makes up for the lattice's own bending and warping: .032 a^2 less along each axis for
+        // connections along axes, .04 a^2 more along their own axes for diagonal ones, as thick as this is. The rule for thick bodies
+        // alone is .17 a^2 and more above the material's. So long that what its ends have, which are a lump's, counts little.
         QFETCH(Quaternion, turn);
         const Vec3 sides(28.6, 3.6, 5.45);
         const Aggregate aggregate = fill(shapes::moved(shapes::box(sides), {Vec3::Zero(), turn}), {.spacing = 1});
         for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
-            const Mat3 expected = squareOf(sides, turn) + (d < 3 ? 0.082 : -0.007) * Mat3::Identity();
+            Vec3 beside;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                beside[static_cast<Eigen::Index>(axis)] = d < 3                               ? -0.028
+                                                          : Lattice::directions[d][axis] != 0 ? 0.033
+                                                                                              : 0;
+            const Mat3& axes = aggregate.lattice.axes;
+            const Mat3 expected = squareOf(sides, turn) + axes * beside.asDiagonal() * axes.transpose();
             double sum = 0;
             Vec3 first = Vec3::Zero();
             Mat3 second = Mat3::Zero();
@@ -171,84 +166,21 @@ private slots:
                 (turn.inverse() * (second / sum - expected) * turn).diagonal().tail(2).cwiseAbs().maxCoeff();
             QVERIFY(std::abs(sum / sides.prod() - 1) < 1e-12);
             QVERIFY2((first / sum).norm() < 0.02, qPrintable(QString::number((first / sum).norm())));
-            QVERIFY2(error < 0.03, qPrintable(QString::number(error)));
+            QVERIFY2(error < 0.04, qPrintable(QString::number(error)));
         }
-    }
-
-    void cellsAreFoundByTheirPlace()
-    {
-        // A box with a hollow: rows have gaps.
-        const TriangleMesh mesh = shapes::moved(shapes::hollowBox({9, 9, 9}, {4.2, 4.2, 4.2}), shapes::tilt(0.6));
-        const CellGrid grid = gridAround(massProperties(mesh).box, 1);
-        const CutCells cells = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
-        const CellFinder finder(cells);
-        double kept = 0;
-        std::size_t cut = 0;
-        for (std::int32_t u = -1; u <= grid.count[0]; ++u)
-            for (std::int32_t v = -1; v <= grid.count[1]; ++v)
-                for (std::int32_t w = -1; w <= grid.count[2]; ++w) {
-                    const Lattice::Node cell{u, v, w};
-                    QCOMPARE(finder.isFull(cell), finder.fraction(cell) >= CellFinder::full);
-                    kept += finder.fraction(cell);
-                    cut += finder.isCut(cell) ? 1 : 0;
-                }
-        QVERIFY(std::abs(kept / cells.keptVolume() - 1) < 1e-12);
-        const auto cutIn = [](std::size_t sum, const CutCells::Slab& slab) { return sum + slab.cut.size(); };
-        QCOMPARE(cut, std::accumulate(cells.slabs.begin(), cells.slabs.end(), std::size_t{0}, cutIn));
-        const Vec3 middle = grid.frame.axes.transpose() * (Vec3::Zero() - grid.frame.origin);
-        const Lattice::Node hollow{static_cast<std::int32_t>(middle[0]), static_cast<std::int32_t>(middle[1]),
-                                   static_cast<std::int32_t>(middle[2])};
-        QCOMPARE(finder.fraction(hollow), 0.0);
-        QVERIFY(!finder.isCut(hollow));
-    }
-
-    /// Bars that get longer, from a cube on: their sides pass over to those of walls by and by, at any angle.
-    void lumpsPassOverToWallsByAndBy_data() { addTurns(); }
-    void lumpsPassOverToWallsByAndBy()
-    {
-        QFETCH(Quaternion, turn);
-        double before = 0;
-        for (double length = 4.6; length < 16; length += 0.4) {
-            const TriangleMesh mesh = shapes::moved(shapes::box({4.6, 4.6, length}), {Vec3::Zero(), turn});
-            const CellGrid grid = gridAround(massProperties(mesh).box, 1);
-            const CutCells cells = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
-            const CellFinder finder(cells);
-            const WallMeasure measure(finder);
-            double share = 0; // of those in its middle
-            double count = 0;
-            for (std::size_t u = 0; u < cells.slabs.size(); ++u)
-                for (const CutCells::Cut& cut : cells.slabs[u].cut) {
-                    const Lattice::Node cell{static_cast<std::int32_t>(u), cut.v, cut.w};
-                    const Vec3 middle =
-                        grid.frame.axes * Vec3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) + grid.frame.origin;
-                    if (std::abs((turn.inverse() * middle).z()) > 1.5)
-                        continue;
-                    const double one = measure.share(cell);
-                    QVERIFY(one >= 0 && one <= 1);
-                    share += one;
-                    ++count;
-                }
-            share /= count;
-            if (length < 5.5)
-                QVERIFY2(share < 0.05, qPrintable(QString("%1: %2").arg(length).arg(share)));
-            QVERIFY2(length < 5 || share - before < 0.5,
-                     qPrintable(QString("%1: %2, %3").arg(length).arg(before).arg(share)));
-            before = share;
-        }
-        QVERIFY2(before > 0.95, qPrintable(QString::number(before)));
     }
 
     void massesAreAnEighteenthOfTheConnectionsAndPositive()
     {
         // So no object is light against its springs, whatever the weights: time steps stay as long as in the bulk.
         const Aggregate aggregate =
-            fill(shapes::moved(shapes::box({15, 1.3, 8}), {Vec3::Zero(), tiltedInThreeAxes}), {.spacing = 1});
+            fill(shapes::moved(shapes::box({15, 1.9, 8}), {Vec3::Zero(), turns::inThreeAxes}), {.spacing = 1});
         std::vector<double> sum(aggregate.size(), 0);
         for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
             for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
                 if (aggregate.weight[d][i] == 0)
                     continue;
-                QVERIFY(aggregate.weight[d][i] > 0.0025);
+                QVERIFY(aggregate.weight[d][i] > 0.008);
                 Lattice::Node other = aggregate.lattice.nodes[i];
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     other[axis] += Lattice::directions[d][axis];
@@ -257,6 +189,34 @@ private slots:
             }
         for (ObjectIndex i = 0; i < aggregate.size(); ++i)
             QVERIFY(aggregate.volume[i] > 0 && std::abs(18 * aggregate.volume[i] / sum[i] - 1) < 1e-12);
+        const std::vector<double> borne = aggregate.borneVolume();
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+            QVERIFY(std::abs(borne[i] / aggregate.volume[i] - 1) < 1e-12);
+    }
+
+    void wallsOfOneCellBearWithAPartOfTheirMass_data() { turns::addRows(); }
+    void wallsOfOneCellBearWithAPartOfTheirMass()
+    {
+        QFETCH(Quaternion, turn);
+        for (const auto& [thickness, expected] :
+             {std::pair(0.8, 0.83), {1.0, 0.83}, {1.375, 0.915}, {1.8, 1.0}, {2.4, 1.0}}) {
+            const Aggregate plate =
+                fill(shapes::moved(shapes::box({16, 16, thickness}), {Vec3::Zero(), turn}), {.spacing = 1});
+            const std::vector<double> borne = plate.borneVolume();
+            double all = 0;
+            double inner = 0;
+            double borneThere = 0;
+            for (ObjectIndex i = 0; i < plate.size(); ++i) {
+                all += plate.volume[i];
+                if ((turn.inverse() * plate.lattice.position(i)).cwiseAbs().maxCoeff() > 4)
+                    continue;
+                inner += plate.volume[i];
+                borneThere += borne[i];
+            }
+            QVERIFY(std::abs(all / plate.filledVolume - 1) < 1e-12); // masses are the material's
+            const double share = borneThere / inner;
+            QVERIFY2(std::abs(share - expected) < 0.01, qPrintable(QString("%1: %2").arg(thickness).arg(share)));
+        }
     }
 
     void anyNumberOfThreadsGivesTheSameBits()
@@ -305,7 +265,7 @@ private slots:
             }
     }
 
-    void wallsBendAsBeamTheorySays_data() { addTurns(); }
+    void wallsBendAsBeamTheorySays_data() { turns::addRows(); }
     void wallsBendAsBeamTheorySays()
     {
         QFETCH(Quaternion, turn);
@@ -317,7 +277,7 @@ private slots:
         QVERIFY(found.within(0.9, 1.1));
     }
 
-    void wallsOfOneAndAThirdCellsStayUseful_data() { addTurns(); }
+    void wallsOfOneAndAThirdCellsStayUseful_data() { turns::addRows(); }
     void wallsOfOneAndAThirdCellsStayUseful()
     {
         QFETCH(Quaternion, turn);
@@ -329,21 +289,19 @@ private slots:
         QVERIFY(found.within(0.7, 1.3));
     }
 
-    void wallsOfOneCellAreNotMoreThanHalfTooStiff_data() { addTurns(); }
-    void wallsOfOneCellAreNotMoreThanHalfTooStiff()
+    void wallsOfOneCellStayUseful_data() { turns::addRows(); }
+    void wallsOfOneCellStayUseful()
     {
-        // Tilted in three axes their diagonals lie too far apart whatever their weights.
         QFETCH(Quaternion, turn);
         const Extremes found =
             extremes("bending of walls of one cell", numbersOfCells({1, 1.1}, 1.3), [&](double cells) {
                 Bar bar = squareBar(cells, turn);
                 return bars::bending(bar);
             });
-        const bool isTilted = turn.angularDistance(tiltedInThreeAxes) == 0;
-        QVERIFY(found.within(0.7, isTilted ? 1.5 : 1.3));
+        QVERIFY(found.within(0.7, 1.3));
     }
 
-    void solidBarsTwistAsTheorySays_data() { addTurns(); }
+    void solidBarsTwistAsTheorySays_data() { turns::addRows(); }
     void solidBarsTwistAsTheorySays()
     {
         // Two cells have too few objects across for the warping of a square, which takes a sixth of its stiffness.
@@ -352,13 +310,12 @@ private slots:
             Bar bar = squareBar(cells, turn);
             return bars::torsion(bar);
         };
-        const bool isSlanted = turn.angularDistance(about(29, Vec3::UnitY())) == 0;
-        QVERIFY(extremes("torsion of two cells", numbersOfCells({2, 2.1, 2.5}, 3), twist)
-                    .within(0.95, isSlanted ? 1.2 : 1.15));
-        QVERIFY(extremes("torsion", numbersOfCells({3, 3.3, 4, 5}, 6), twist).within(0.95, 1.15));
+        QVERIFY(
+            extremes("torsion of two cells", numbersOfCells({2, 2.05, 2.1, 2.3, 2.5}, 3), twist).within(0.95, 1.15));
+        QVERIFY(extremes("torsion", numbersOfCells({3, 3.3, 4, 5}, 6), twist).within(isSweep() ? 0.93 : 0.95, 1.15));
     }
 
-    void wallsAreAsStiffInTensionAsTheyAreThick_data() { addTurns(); }
+    void wallsAreAsStiffInTensionAsTheyAreThick_data() { turns::addRows(); }
     void wallsAreAsStiffInTensionAsTheyAreThick()
     {
         QFETCH(Quaternion, turn);

@@ -14,6 +14,8 @@
 /// Bars pulled, bent and twisted by statics, and what beam theory says of them.
 namespace knead::bars {
 
+using shapes::about;
+
 constexpr double spacing = 1e-3; // [m]
 
 enum class Section { Square, Round };
@@ -186,11 +188,6 @@ inline double torsion(Bar& bar)
         0.5 * (bar.slope([&](const Vec3& x, const Vec3& u) { return std::pair(x.x() * x.y(), u.dot(bar.upwards)); }) +
                bar.slope([&](const Vec3& x, const Vec3& u) { return std::pair(-x.x() * x.z(), u.dot(bar.sideways)); }));
     return std::abs(moment / measured) / (bar.shearModulus * bar.torsionConstant());
-}
-
-inline Quaternion about(double degrees, const Vec3& axis)
-{
-    return Quaternion(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()));
 }
 
 } // namespace knead::bars

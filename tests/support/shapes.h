@@ -25,6 +25,11 @@ inline Pose tilt(double angle, const Vec3& position = Vec3::Zero())
     return {position, Quaternion(Eigen::AngleAxisd(angle, Vec3(0.3, 1, 0.5).normalized()))};
 }
 
+inline Quaternion about(double degrees, const Vec3& axis)
+{
+    return Quaternion(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()));
+}
+
 /// The union of meshes that do not touch; face numbers go on counting.
 inline TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other)
 {
