@@ -14,6 +14,8 @@ std::size_t Aggregate::connectionCount() const
 
 std::vector<double> Aggregate::borneVolume() const
 {
+    if (!weight[Lattice::isotropicCount].empty())
+        return volume; // as published, with up to 26 neighbors of one weight, of which a volume is not a sum
     const double share = lattice.spacing * lattice.spacing * lattice.spacing / 18;
     std::vector<double> borne(size(), 0);
     forEachConnection([&](std::uint32_t d, ObjectIndex lower, ObjectIndex upper) {

@@ -53,7 +53,8 @@ public:
         if (!(m_volume > 0))
             return {}; // rows that were repaired may hold next to nothing
         const Vec3 middle = m_first / m_volume;
-        return LocalShape(m_second / m_volume - middle * middle.transpose());
+        const Mat3 spread = m_second / m_volume - middle * middle.transpose();
+        return spread.trace() > 0 ? LocalShape(spread) : LocalShape();
     }
 
 private:

@@ -75,12 +75,16 @@ private:
     std::vector<std::vector<double>> m_weight; // per family
 };
 
-void findShapes(const CutCells& cells, std::vector<std::vector<ThinBlock>>& blocks)
+void findShapes(const CutCells& cells, std::vector<std::vector<ThinBlock>>& blocks, TaskControl& control)
 {
     const CellFinder finder(cells);
-    forEachBlock(blocks.size(), 1, [&](std::size_t i, std::size_t) {
-        for (ThinBlock& block : blocks[i])
-            block.setShape(localShapeAt(finder, block.centerInLattice()));
+    std::vector<ThinBlock*> all; // a sheet across u is one slab
+    for (std::vector<ThinBlock>& slab : blocks)
+        for (ThinBlock& block : slab)
+            all.push_back(&block);
+    forEachBlock(all.size(), 256, control, "fitting walls", [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            all[i]->setShape(localShapeAt(finder, all[i]->centerInLattice()));
     });
 }
 
@@ -123,9 +127,10 @@ Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskCont
         return aggregate;
 
     std::vector<std::vector<ThinBlock>> blocks = thinBlocksOf(thin);
-    findShapes(cells, blocks);
+    TaskPortion shapes(control, 0, 0.1);
+    findShapes(cells, blocks, shapes);
     MomentFit fit(cells, aggregate);
-    TaskPortion first(control, 0, 0.5);
+    TaskPortion first(control, 0.1, 0.5);
     fitFamilies(fit, blocks, faceDiagonals, first);
     TaskPortion second(control, 0.5, 1);
     fitFamilies(fit, blocks, alongAxes, second);

@@ -11,8 +11,9 @@ namespace knead {
 /// A connection of cut-cell weight stands for the mean of the cells around it, as if their material filled them evenly. Its
 /// sum is right, but a wall gets a second moment that is too large: by 1.1 / n^2 for n cells across when the lattice divides
 /// it, by up to three times that when not. Here each family of parallel connections, at their middles x_b, gets
-///   sum w_b p(x_b) = integral over the material of p + stiffening a^2 / 2 (p_uu + p_vv + p_ww)
-/// for quadratic p, in blocks of two cells per axis: what their cut cells lack is spread over the connections around them
+///   sum w_b p(x_b) = integral over the material of p + a^2 / 2 (s_u p_uu + s_v p_vv + s_w p_ww)
+/// for quadratic p, with small s that make up for what the lattice itself bends and does not warp (see thin_blocks.cpp), in blocks of
+/// two cells per axis: what their cut cells lack is spread over the connections around them
 /// (MomentSpread). Of full cells only the sides to others count, as between two full cells what one has too much the other takes.
 ///
 /// Diagonal connections across a wall of less than three cells have two layers of middles at most, and so one second moment

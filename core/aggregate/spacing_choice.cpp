@@ -133,9 +133,9 @@ double spacingFor(const SpacingChoice& choice, const FillingSize& size)
 
 double bendingErrorOf(double cellsAcross)
 {
-    constexpr double sound = 0.1;
+    constexpr double sound = 0.15;
     constexpr double rough = 0.4;  // from 1.3 cells on
-    constexpr double coarse = 0.8; // from one cell on
+    constexpr double coarse = 0.9; // from one cell on
     constexpr double roughest = 1.3;
     constexpr double rounding = 1 - 1e-6;
     if (cellsAcross >= fewestCellsAcrossWall * rounding)

@@ -52,9 +52,9 @@ struct SpacingAssessment {
     Message warning;            ///< a sentence when the thinnest wall has too few cells; else empty
 };
 
-constexpr double fewestCellsAcrossWall = 1.75; ///< with fewer, bending of the wall is too stiff by more than a tenth
-constexpr double advisedCellsAcrossWall = 2;   ///< bending is right within a tenth
-constexpr double goodCellsAcrossWall = 3;      ///< twisting as well, and stress at the skin begins to be
+constexpr double fewestCellsAcrossWall = 1.75; ///< with fewer, bending of the wall may be far too stiff
+constexpr double advisedCellsAcrossWall = 2;   ///< bending and twisting are right within 15 %
+constexpr double goodCellsAcrossWall = 3;      ///< stress at the skin begins to be as well
 
 /// By how much bending of a wall may come out too stiff at worst, as a share of its stiffness: 0.2 is 20 %. Measured on
 /// bars of every thickness at twelve tilts, of material that yields too; infinite below one cell.

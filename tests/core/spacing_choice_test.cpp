@@ -80,10 +80,10 @@ private slots:
     void errorsOfBendingFallWithTheCells()
     {
         QVERIFY(std::isinf(bendingErrorOf(0.99)));
-        QCOMPARE(bendingErrorOf(1), 0.8);
+        QCOMPARE(bendingErrorOf(1), 0.9);
         QCOMPARE(bendingErrorOf(1.3), 0.4);
-        QCOMPARE(bendingErrorOf(1.75), 0.1);
-        QCOMPARE(bendingErrorOf(6), 0.1);
+        QCOMPARE(bendingErrorOf(1.75), 0.15);
+        QCOMPARE(bendingErrorOf(6), 0.15);
     }
 
     void memoryGrowsWithTheObjects()
