@@ -212,7 +212,7 @@ void CompensateTest::springbackOfARecipeIsCompensated()
     const json study{{"version", 1},
                      {"part", examples + "bar.step"},
                      {"recipe", "bend.recipe.json"},
-                     {"tolerance_mm", 0.5},
+                     {"tolerance_mm", 0.7}, // 5 % of what the first round finds, of a bar of one cell
                      {"rounds", 4},
                      {"spacing_mm", 10}};
     const QString folder = m_shop.qPath("springback");

@@ -125,7 +125,7 @@ private slots:
         QTest::addColumn<double>("cells");
         QTest::addColumn<double>("error"); ///< 0: not known
         QTest::addColumn<QString>("words");
-        QTest::newRow("fine") << 5.0 << 2.0 << 0.1 << QString();
+        QTest::newRow("fine") << 5.0 << 2.0 << 0.15 << QString();
         QTest::newRow("rough") << 6.25 << 1.6 << 0.4 << QString("bending of such walls comes out up to 40 % too stiff");
         QTest::newRow("coarse") << 8.0 << 1.25 << 0.9 << QString("comes out up to 90 % too stiff");
         QTest::newRow("missing") << 12.5 << 0.8 << 0.0 << QString("comes out many times too stiff");
