@@ -42,6 +42,7 @@ KNEAD_INLINE Real naturalLogarithm(const Real& x)
     const Real t = (mantissa - 1) / (mantissa + 1);
     const Real s = t * t;
     Real series = s * (1.0 / 21) + 1.0 / 19;
+#pragma GCC unroll 9
     for (int n = 17; n >= 1; n -= 2)
         series = series * s + 1.0 / n;
     return exponent * 0.69314718055994531 + 2 * t * series;
@@ -221,6 +222,7 @@ KNEAD_INLINE void addShapeOfDirection(const Surroundings& a, std::size_t i, Unsi
         return;
     const double* k = a.stiffness[d] + i;
     const LaneBits isOwn = (behind >> d & 1) != 0;
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c) {
         const double* place = a.position + c * a.stride + i;
         const Lanes here = load(place);
@@ -229,6 +231,7 @@ KNEAD_INLINE void addShapeOfDirection(const Surroundings& a, std::size_t i, Unsi
             pull += load(k) * (load(place + a.ahead[d]) - here);
         if (hasPrevious)
             pull += masked(load(k - a.behind[d]), isOwn) * (here - load(place - a.behind[d]));
+#pragma GCC unroll 9
         for (int column = 0; column < 3; ++column) {
             if (o[column] > 0)
                 sums.m[column][c] += pull;
@@ -256,6 +259,7 @@ KNEAD_INLINE ShapeSums shapeOfVector(const Surroundings& a, std::size_t i)
 /// K^-1 of eight objects: uu vv ww uv uw vw.
 KNEAD_INLINE void loadInverseShape(const Surroundings& a, std::size_t i, Lanes (&inverse)[6])
 {
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n)
         inverse[n] = load(a.inverseShape[n] + i);
 }
@@ -275,7 +279,9 @@ KNEAD_INLINE Real timesInverse(const Real (&a)[3][3], const Real (&inverse)[6], 
 template <typename Real>
 KNEAD_INLINE void findGradient(const Real (&m)[3][3], const Real (&inverse)[6], Real inverseSpacing, Real (&f)[3][3])
 {
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 9
         for (int column = 0; column < 3; ++column)
             f[column][c] = timesInverse(m, inverse, column, c) * inverseSpacing;
 }
@@ -284,9 +290,11 @@ KNEAD_INLINE void findGradient(const Real (&m)[3][3], const Real (&inverse)[6], 
 template <typename Real>
 KNEAD_INLINE void findCofactors(const Real (&f)[3][3], Real (&cofactor)[3][3])
 {
+#pragma GCC unroll 9
     for (int column = 0; column < 3; ++column) {
         const Real(&p)[3] = f[(column + 1) % 3];
         const Real(&q)[3] = f[(column + 2) % 3];
+#pragma GCC unroll 9
         for (int c = 0; c < 3; ++c)
             cofactor[column][c] = p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3];
     }
@@ -332,7 +340,9 @@ KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i
     const Lanes p = bulk * dilatation * slope * inverseSpacing / boundedVolumeRatio(determinant);
     const Writer write{a, i, part == VectorPart::some};
     write(arguments.theta, dilatation);
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 9
         for (int column = 0; column < 3; ++column)
             write(arguments.stress[3 * column + c], p * timesInverse(cofactor, inverse, column, c));
 }

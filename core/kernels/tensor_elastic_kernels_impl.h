@@ -67,6 +67,25 @@ KNEAD_INLINE Lanes quadratic(const Symmetric& a)
     return sum;
 }
 
+/// A : B.
+KNEAD_INLINE Lanes contraction(const Symmetric& a, const Symmetric& b)
+{
+    const Lanes(&m)[6] = a.m;
+    const Lanes(&n)[6] = b.m;
+    return m[0] * n[0] + m[1] * n[1] + m[2] * n[2] + 2 * (m[3] * n[3] + m[4] * n[4] + m[5] * n[5]);
+}
+
+/// x sum c_n x^n.
+template <int count>
+KNEAD_INLINE Lanes series(const double (&coefficients)[count], Lanes x)
+{
+    Lanes sum = all(coefficients[count - 1]);
+#pragma GCC unroll 9
+    for (int n = count - 2; n >= 0; --n)
+        sum = sum * x + coefficients[n];
+    return x * sum;
+}
+
 /// F of eight objects, by lattice column.
 struct Deformation {
     Lanes m[3][3];        ///< sum k d o^T [column][world component]
@@ -83,16 +102,35 @@ KNEAD_INLINE Deformation deformationOf(const Surroundings& a, std::size_t i)
     loadInverseShape(a, i, inverse);
     Deformation g;
     g.isFlat = inverse[0] == all(0);
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 9
         for (int column = 0; column < 3; ++column)
             g.m[column][c] = shape.m[column][c];
     findGradient(shape.m, inverse, all(1 / a.spacing), g.f);
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 9
         for (int column = 0; column < 3; ++column)
             g.f[column][c] = choose(g.isFlat, all(c == column ? 1 : 0), g.f[column][c]);
     findCofactors(g.f, g.cofactor);
     g.volume = volumeOf(g.f, g.cofactor);
     return g;
+}
+
+/// F^T F, in lattice axes.
+KNEAD_INLINE Symmetric squareOf(const Lanes (&f)[3][3])
+{
+    constexpr int rows[6] = {0, 1, 2, 0, 0, 1};
+    constexpr int columns[6] = {0, 1, 2, 1, 2, 2};
+    Symmetric square;
+#pragma GCC unroll 9
+    for (int n = 0; n < 6; ++n) {
+        const Lanes(&p)[3] = f[rows[n]];
+        const Lanes(&q)[3] = f[columns[n]];
+        square.m[n] = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    }
+    return square;
 }
 
 /// F of eight objects with what follows from it.
@@ -103,17 +141,35 @@ struct Gradient : Deformation {
     Lanes scale; ///< ratio^(-2/3)
 };
 
+// Of J - 1. Below this, series to the ninth power are exact to rounding, and much quicker than a logarithm and an exponential.
+constexpr double smallDilatation = 0.02;
+
+/// @param i the first of the eight objects; what lies outside of the run decides nothing
 template <bool withScale>
 KNEAD_INLINE Gradient gradientOf(const Surroundings& a, std::size_t i)
 {
-    Gradient g{deformationOf(a, i), {}, {}, {}, {}};
+    Gradient g;
+    static_cast<Deformation&>(g) = deformationOf(a, i);
     g.ratio = larger(g.volume, all(leastVolumeRatio));
-    const Lanes logarithmic = logarithm(g.ratio);
     const Lanes part = (g.volume - leastVolumeRatio) * (1 / (wholeVolumeRatio - leastVolumeRatio));
     g.weight = smaller(larger(part, all(0)), all(1));
+    const Lanes change = g.ratio - 1;
+    const LaneBits isLarge = (larger(change, -change) > all(smallDilatation)) & inside(i, a.begin, a.end);
+    Lanes logarithmic;
+    if (any(isLarge)) {
+        logarithmic = logarithm(g.ratio);
+        if constexpr (withScale)
+            g.scale = exponential(logarithmic * (-2.0 / 3));
+    } else {
+        constexpr double ofLogarithm[] = {1,        -1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 / 5,
+                                          -1.0 / 6, 1.0 / 7,  -1.0 / 8, 1.0 / 9};
+        constexpr double ofScale[] = {-2.0 / 3,      5.0 / 9,         -40.0 / 81,      110.0 / 243,        -308.0 / 729,
+                                      2618.0 / 6561, -7480.0 / 19683, 21505.0 / 59049, -559130.0 / 1594323};
+        logarithmic = series(ofLogarithm, change);
+        if constexpr (withScale)
+            g.scale = 1 + series(ofScale, change);
+    }
     g.theta = choose(g.isFlat, all(0), logarithmic - load(a.restDilatation + i));
-    if constexpr (withScale)
-        g.scale = exponential(logarithmic * (-2.0 / 3));
     return g;
 }
 
@@ -129,6 +185,7 @@ KNEAD_INLINE ElasticPart elasticPart(const Lanes (&f)[3][3], const Symmetric& me
 {
     const Symmetric inverse = adjugate(metric);
     ElasticPart e;
+#pragma GCC unroll 9
     for (int c = 0; c < 3; ++c) {
         e.h[0][c] = f[0][c] * inverse.m[0] + f[1][c] * inverse.m[3] + f[2][c] * inverse.m[4];
         e.h[1][c] = f[0][c] * inverse.m[3] + f[1][c] * inverse.m[1] + f[2][c] * inverse.m[5];
@@ -136,6 +193,7 @@ KNEAD_INLINE ElasticPart elasticPart(const Lanes (&f)[3][3], const Symmetric& me
     }
     constexpr int rows[6] = {0, 1, 2, 0, 0, 1};
     constexpr int columns[6] = {0, 1, 2, 1, 2, 2};
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n) {
         const int r = rows[n], c = columns[n];
         e.b.m[n] = scale * (e.h[0][r] * f[0][c] + e.h[1][r] * f[1][c] + e.h[2][r] * f[2][c]);
@@ -144,14 +202,10 @@ KNEAD_INLINE ElasticPart elasticPart(const Lanes (&f)[3][3], const Symmetric& me
     return e;
 }
 
-KNEAD_INLINE ElasticPart elasticPart(const Gradient& g, const Symmetric& metric)
-{
-    return elasticPart(g.f, metric, g.scale);
-}
-
 KNEAD_INLINE Symmetric loadSymmetric(const double* const* from, std::size_t i)
 {
     Symmetric a;
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n)
         a.m[n] = from ? load(from[n] + i) : all(n < 3 ? 1 : 0);
     return a;

@@ -49,7 +49,6 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
 struct Trial {
     const Gradient& g;
     const Symmetric& metric;
-    const ElasticPart& elastic;
     const Excess& excess;
     const LaneNumbers& numbers;
 };
@@ -58,6 +57,7 @@ struct Trial {
 KNEAD_INLINE Symmetric metricOf(const Gradient& g, const Symmetric& inverse)
 {
     Lanes product[3][3]; // b^-1 F by lattice column
+#pragma GCC unroll 9
     for (int column = 0; column < 3; ++column) {
         const Lanes(&f)[3] = g.f[column];
         product[column][0] = inverse.m[0] * f[0] + inverse.m[3] * f[1] + inverse.m[4] * f[2];
@@ -67,12 +67,32 @@ KNEAD_INLINE Symmetric metricOf(const Gradient& g, const Symmetric& inverse)
     constexpr int rows[6] = {0, 1, 2, 0, 0, 1};
     constexpr int columns[6] = {0, 1, 2, 1, 2, 2};
     Symmetric metric;
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n) {
         const Lanes(&f)[3] = g.f[rows[n]];
         const Lanes(&p)[3] = product[columns[n]];
         metric.m[n] = g.scale * (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
     }
     return metric;
+}
+
+/// Of eight objects, some of which flowed at the time before.
+KNEAD_INLINE void writeNoFlow(const TensorLawArguments& arguments, std::size_t i, const Symmetric& metric, Lanes alpha,
+                              Lanes damage)
+{
+    const Surroundings& a = arguments.at;
+    const FlowResult& flow = *arguments.flow;
+    const Writer write{a, i, i < a.begin || i + lanes > a.end};
+#pragma GCC unroll 9
+    for (int n = 0; n < 6; ++n)
+        write(flow.metric[n], metric.m[n]);
+    write(flow.equivalentStrain, alpha);
+    write(flow.damage, damage);
+    write(flow.share, all(1));
+    write(flow.dissipated, all(0));
+    for (int d = 0; d < latticeDirectionCount; ++d)
+        if (((a.forward | a.backward) >> d & 1U) != 0)
+            write(flow.lengthening[d], all(1));
 }
 
 /// The return of eight objects: writes their plastic state afterwards, C in `after`. @return whether any of them flows
@@ -83,12 +103,14 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const FlowResult& flow = *arguments.flow;
     const Writer write{a, i, i < a.begin || i + lanes > a.end};
     const Gradient& g = trial.g;
-    const ElasticPart& e = trial.elastic;
+    const ElasticPart e = elasticPart(g.f, trial.metric, g.scale);
     const Lanes shear = trial.numbers.shear;
     Symmetric deviator = e.b;
+#pragma GCC unroll 9
     for (int n = 0; n < 3; ++n)
         deviator.m[n] -= e.third;
     Lanes squared{};
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n) {
         deviator.m[n] = choose(g.isFlat, all(0), shear * deviator.m[n]);
         squared += (n < 3 ? 1.0 : 2.0) * deviator.m[n] * deviator.m[n];
@@ -103,24 +125,16 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const LaneBits flows = (norm > yield) & (g.weight == all(1)) & inside(i, a.begin, a.end);
     after = trial.metric;
     if (!any(flows)) {
-        for (int n = 0; n < 6; ++n)
-            write(flow.metric[n], after.m[n]);
-        write(flow.equivalentStrain, alpha);
-        write(flow.damage, damage);
-        write(flow.share, all(1));
-        write(flow.dissipated, all(0));
-        forEachDirection([&]<int d>() __attribute__((always_inline)) {
-            if (((a.forward | a.backward) >> d & 1U) != 0)
-                write(flow.lengthening[d], all(1));
-        });
+        if (any((load(flow.share + i) < all(1)) & inside(i, a.begin, a.end)))
+            writeNoFlow(arguments, i, trial.metric, alpha, damage);
         return false;
     }
     const Lanes time = valuesOf(arguments.numbers.flowTime, i);
     const Lanes within = choose(time > all(0), 1 - exponential(larger(-flow.duration / time, all(-600))), all(1));
     const Lanes modulus = shear * e.third;
-    const Lanes amount =
-        choose(flows, within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))), all(0));
-    const Lanes share = choose(flows, 1 - 2 * modulus * amount / norm, all(1));
+    const Lanes beyond = within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus)));
+    const Lanes share = choose(flows, 1 - 2 * modulus * beyond / norm, all(1));
+    const Lanes amount = choose(share < all(1), beyond, all(0));
     const Lanes grown = rootTwoThirds * amount;
     // Triaxiality is sigma_m / sigma_eq of the stress afterwards, sigma_eq = sqrt(3/2) |s|.
     const Lanes equivalent = 1.2247448713915890 * squareRoot(squared) * share + 1e-300;
@@ -129,13 +143,15 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes counted = smaller(larger(drawn, 2 * sheared - 1), all(1));
 
     Symmetric relaxed;
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n)
         relaxed.m[n] = share * deviator.m[n] / shear + (n < 3 ? e.third : all(0));
     const Lanes unit = exponential(logarithm(larger(determinant(relaxed), all(1e-300))) * (-1.0 / 3));
     for (Lanes& entry : relaxed.m)
         entry *= unit;
     const Symmetric flowed = metricOf(g, adjugate(relaxed));
-    const LaneBits changes = flows & ~g.isFlat;
+    const LaneBits changes = (share < all(1)) & ~g.isFlat;
+#pragma GCC unroll 9
     for (int n = 0; n < 6; ++n) {
         after.m[n] = choose(changes, flowed.m[n], trial.metric.m[n]);
         write(flow.metric[n], after.m[n]);

@@ -80,7 +80,9 @@ struct PlasticState {
                 ///< of material that heals, what it has been drawn out net: nothing in shear, and compression undoes it
 };
 
-/// What a flow finds. Arrays begin at object 0, all of them are written for the objects of the run.
+/// What a flow finds. Arrays begin at object 0. `affine` is written for all objects of the run; the others for vectors in which
+/// something flows now or has at the time before, S < 1. Elsewhere they have to hold already what no flow leaves: the
+/// plastic state as it was, S = 1, nothing dissipated, no lengthening.
 struct FlowResult {
     double duration;                       ///< dt [s]
     const double* const* connectionStrain; ///< per direction: ln(L / l) at the lower object
@@ -88,7 +90,7 @@ struct FlowResult {
     double* const* metric;                 ///< 6: C afterwards
     double* equivalentStrain;
     double* damage;
-    double* share;              ///< S
+    double* share;              ///< S, that of the time before at first
     double* const* affine;      ///< per direction: e = ln(|F D| / l_b), with C as it was
     double* const* lengthening; ///< per direction: D^T C' D / D^T C D
     double* dissipated;         ///< energy of the object that went with it [J]

@@ -19,26 +19,25 @@ KNEAD_INLINE Lanes stiffnessAround(const Surroundings& a, std::size_t i, Unsigne
     return sum;
 }
 
-/// F o for an integer direction.
-template <int d>
-KNEAD_INLINE void along(const Gradient& g, Lanes (&step)[3])
-{
-    constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
-    for (int c = 0; c < 3; ++c) {
-        step[c] = Lanes{};
-        for (int column = 0; column < 3; ++column) {
-            if (o[column] > 0)
-                step[c] += g.f[column][c];
-            if (o[column] < 0)
-                step[c] -= g.f[column][c];
-        }
-    }
-}
-
 template <int d>
 constexpr double squaredStep =
     latticeDirections[d][0] * latticeDirections[d][0] + latticeDirections[d][1] * latticeDirections[d][1] +
     latticeDirections[d][2] * latticeDirections[d][2];
+
+/// A + x o o^T for an integer direction.
+template <int d>
+KNEAD_INLINE void addDyad(Symmetric& a, Lanes x)
+{
+    constexpr int u = latticeDirections[d][0], v = latticeDirections[d][1], w = latticeDirections[d][2];
+    constexpr int products[6] = {u * u, v * v, w * w, u * v, u * w, v * w};
+#pragma GCC unroll 9
+    for (int n = 0; n < 6; ++n) {
+        if (products[n] > 0)
+            a.m[n] += x;
+        if (products[n] < 0)
+            a.m[n] -= x;
+    }
+}
 
 /// How far connections that follow F are from l_b: rho = 1 - l_b^2 / |F D|^2 per direction.
 struct Excess {
@@ -49,21 +48,21 @@ struct Excess {
 // Below this, series to the tenth power are exact to rounding, and much quicker than roots and logarithms.
 constexpr double smallExcess = 0.04;
 
+/// @param square F^T F
 /// @param i the first of the eight objects; what lies outside of the run decides nothing
-KNEAD_INLINE Excess excessOf(const Surroundings& a, std::size_t i, const Gradient& g, const Symmetric& metric)
+KNEAD_INLINE Excess excessOf(const Surroundings& a, std::size_t i, const Symmetric& square, const Symmetric& metric)
 {
+    Symmetric beyond;
+#pragma GCC unroll 9
+    for (int n = 0; n < 6; ++n)
+        beyond.m[n] = square.m[n] - metric.m[n];
     // One division for all: each inverse is the product of the others times the inverse of the product.
     Lanes squared[latticeDirectionCount];
     Lanes products[latticeDirectionCount];
     Lanes product = all(1);
     const std::uint32_t used = a.forward | a.backward;
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
-        squared[d] = all(1);
-        if ((used >> d & 1U) != 0) {
-            Lanes step[3];
-            along<d>(g, step);
-            squared[d] = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + 1e-12; // finite where F is flat
-        }
+        squared[d] = (used >> d & 1U) != 0 ? quadratic<d>(square) + 1e-12 : all(1); // finite where F is flat
         products[d] = product;
         product *= squared[d];
     });
@@ -74,22 +73,12 @@ KNEAD_INLINE Excess excessOf(const Surroundings& a, std::size_t i, const Gradien
         excess.rho[d] = Lanes{};
         if ((used >> d & 1U) == 0)
             return;
-        excess.rho[d] = (squared[d] - quadratic<d>(metric)) * (inverse * products[d]);
+        excess.rho[d] = quadratic<d>(beyond) * (inverse * products[d]);
         inverse *= squared[d];
         largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
     });
     excess.isSmall = !any((largest > all(smallExcess)) & inside(i, a.begin, a.end));
     return excess;
-}
-
-/// x sum c_n x^n.
-template <int count>
-KNEAD_INLINE Lanes series(const double (&coefficients)[count], Lanes x)
-{
-    Lanes sum = all(coefficients[count - 1]);
-    for (int n = count - 2; n >= 0; --n)
-        sum = sum * x + coefficients[n];
-    return x * sum;
 }
 
 /// 1 - l_b / |F D| = 1 - sqrt(1 - rho).
@@ -112,41 +101,31 @@ KNEAD_INLINE Lanes naturalStretch(Lanes rho, bool isSmall)
 // more quickly with F, and steps that were chosen before cannot take that.
 constexpr double leastStretch = -1;
 
-/// What the connections of eight objects would bear if all followed F: sum_b k / 2 (1 - l_b / |F o|) F o o^T by lattice column,
-/// and the energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
+/// What the connections of eight objects would bear if all followed F, F S with S = sum_b k / 2 (1 - l_b / |F o|) o o^T, and the
+/// energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
 struct SpringShare {
-    Lanes pull[3][3];
-    Lanes energy; ///< 0 unless it was asked for
+    Symmetric pull; ///< S
+    Lanes energy;   ///< 0 unless it was asked for
 };
 
+/// @param square F^T F
 template <bool withEnergy>
-KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, UnsignedBits behind, const Gradient& g,
+KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, UnsignedBits behind, const Symmetric& square,
                                      const Excess& excess)
 {
     SpringShare share{};
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) == 0)
             return;
-        constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
         const Lanes k = stiffnessAround<d>(a, i, behind);
-        Lanes step[3];
-        along<d>(g, step);
         const Lanes whole = relativeStretch(excess.rho[d], excess.isSmall);
         const LaneBits isShort = whole < all(leastStretch);
         const Lanes stretch = choose(isShort, all(leastStretch), whole);
-        const Lanes half = 0.5 * k * stretch;
-        if constexpr (withEnergy) {
+        if constexpr (withEnergy)
             // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
-            const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-            share.energy += 0.25 * k * squared * choose(isShort, -0.5 - 0.5 * excess.rho[d], stretch * stretch);
-        }
-        for (int c = 0; c < 3; ++c)
-            for (int column = 0; column < 3; ++column) {
-                if (o[column] > 0)
-                    share.pull[column][c] += half * step[c];
-                if (o[column] < 0)
-                    share.pull[column][c] -= half * step[c];
-            }
+            share.energy +=
+                0.25 * k * quadratic<d>(square) * choose(isShort, -0.5 - 0.5 * excess.rho[d], stretch * stretch);
+        addDyad<d>(share.pull, 0.5 * k * stretch);
     });
     return share;
 }

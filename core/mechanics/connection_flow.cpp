@@ -5,6 +5,7 @@
 #include "core/mechanics/connection_stress.h"
 #include "core/mechanics/connection_surroundings.h"
 #include "core/mechanics/kernel_views.h"
+#include "core/task/block_sums.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -43,6 +44,11 @@ void setMetric(PlasticState& state, std::size_t object, const Mat3& metric)
         state.metric[n][object] = metric(rows[n], columns[n]);
 }
 
+bool flowsAnywhere(const TensorBody& body)
+{
+    return std::any_of(body.blockFlows.begin(), body.blockFlows.end(), [](std::uint8_t block) { return block != 0; });
+}
+
 /// W of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1
 /// + q) [J].
 double workOfObjects(const TensorBody& body)
@@ -58,11 +64,12 @@ void findStrains(ConnectionData& data, const VectorArray& position)
 {
     TensorBody& body = *data.tensors;
     const DirectionArray& lengths = data.changes.plastic.nominalLength;
+    const LaneVector<double>& rest = data.changes.restDilatation;
     forEachSurroundings(data, position, [&](const kernels::Surroundings& at) {
         kernels::best().deformation(at, body.dilatation.data(), nullptr);
+        for (std::size_t i = at.begin; i < at.end; ++i)
+            body.dilatation[i] += rest[i];
     });
-    for (std::size_t i = 0; i < position.size(); ++i)
-        body.dilatation[i] += data.changes.restDilatation[i];
     forEachBlock(position.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             forEachStretch(data.aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t n) {
@@ -72,42 +79,110 @@ void findStrains(ConnectionData& data, const VectorArray& position)
     });
 }
 
-/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it, and the work
-/// of their forces afterwards on it [J]
-std::pair<double, double> lengthen(ConnectionData& data, const VectorArray& position)
+/// Per block, whether anything in it has flowed.
+std::vector<std::uint8_t> blocksThatFlow(const ConnectionData& data)
+{
+    const LaneVector<double>& share = data.tensors->share;
+    return ofEachBlock<std::uint8_t>(share.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
+        double least = 1;
+        for (std::size_t i = begin; i < end; ++i)
+            least = std::min(least, share[i]);
+        return static_cast<std::uint8_t>(least < 1);
+    });
+}
+
+/// How much further on the upper end of a connection may be.
+std::size_t farthestAhead(const Lattice& lattice)
+{
+    std::size_t farthest = 0;
+    for (const auto& segments : lattice.segments)
+        for (const Lattice::Segment& segment : segments)
+            farthest = std::max(farthest, static_cast<std::size_t>(segment.offset));
+    return farthest;
+}
+
+/// Energy of connections that went with a flow, and the work of their forces afterwards on it [J].
+struct LengthReport {
+    double dissipated = 0;
+    double work = 0;
+};
+
+/// Nominal lengths of the connections of a block after the flow of the objects.
+LengthReport lengthenBlock(ConnectionData& data, const VectorArray& position, std::size_t begin, std::size_t end)
 {
     TensorBody& body = *data.tensors;
     const DirectionArray& before = data.changes.plastic.nominalLength;
-    std::vector<std::pair<double, double>> sums((position.size() + data.blockSize - 1) / data.blockSize);
-    forEachBlock(position.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
-        std::array<double, kernels::sumLanes> lanes{};
-        std::array<double, kernels::sumLanes> work{};
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachStretch(data.aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t n) {
-                kernels::best().lengthen(n, {.lower = kernels::from(position, i),
-                                             .upper = kernels::from(position, j),
-                                             .strain = &body.strain[d][i],
-                                             .lowerShare = &body.share[i],
-                                             .upperShare = &body.share[j],
-                                             .lowerAffine = &body.affine[d][i],
-                                             .upperAffine = &body.affine[d][j],
-                                             .lowerLengthening = &body.lengthening[d][i],
-                                             .upperLengthening = &body.lengthening[d][j],
-                                             .stiffness = &data.stiffness[d][i],
-                                             .before = &before[d][i],
-                                             .after = &body.flowed.nominalLength[d][i],
-                                             .dissipated = lanes.data(),
-                                             .work = work.data()});
-            });
-        sums[begin / data.blockSize] = {std::accumulate(lanes.begin(), lanes.end(), 0.0),
-                                        std::accumulate(work.begin(), work.end(), 0.0)};
+    std::array<double, kernels::sumLanes> lanes{};
+    std::array<double, kernels::sumLanes> work{};
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        forEachStretch(data.aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t n) {
+            kernels::best().lengthen(n, {.lower = kernels::from(position, i),
+                                         .upper = kernels::from(position, j),
+                                         .strain = &body.strain[d][i],
+                                         .lowerShare = &body.share[i],
+                                         .upperShare = &body.share[j],
+                                         .lowerAffine = &body.affine[d][i],
+                                         .upperAffine = &body.affine[d][j],
+                                         .lowerLengthening = &body.lengthening[d][i],
+                                         .upperLengthening = &body.lengthening[d][j],
+                                         .stiffness = &data.stiffness[d][i],
+                                         .before = &before[d][i],
+                                         .after = &body.flowed.nominalLength[d][i],
+                                         .dissipated = lanes.data(),
+                                         .work = work.data()});
+        });
+    return {std::accumulate(lanes.begin(), lanes.end(), 0.0), std::accumulate(work.begin(), work.end(), 0.0)};
+}
+
+/// The same of all blocks in reach of which something flows, or has flowed at the time before.
+LengthReport lengthen(ConnectionData& data, const VectorArray& position)
+{
+    TensorBody& body = *data.tensors;
+    const std::vector<std::uint8_t>& flows = body.blockFlows;
+    const std::size_t size = data.blockSize;
+    const auto reports = ofEachBlock<LengthReport>(position.size(), size, [&](std::size_t begin, std::size_t end) {
+        const std::size_t farthest = std::min((end - 1 + body.reach) / size, flows.size() - 1);
+        const auto first = flows.begin() + static_cast<std::ptrdiff_t>(begin / size);
+        const auto last = flows.begin() + static_cast<std::ptrdiff_t>(farthest) + 1;
+        const bool changes = std::any_of(first, last, [](std::uint8_t block) { return block != 0; });
+        std::uint8_t& changed = body.blockLengthened[begin / size];
+        const LengthReport report =
+            changes || changed != 0 ? lengthenBlock(data, position, begin, end) : LengthReport{};
+        changed = changes ? 1 : 0;
+        return report;
     });
-    std::pair<double, double> sum;
-    for (const auto& [dissipated, work] : sums) {
-        sum.first += dissipated;
-        sum.second += work;
+    LengthReport sum;
+    for (const LengthReport& report : reports) {
+        sum.dissipated += report.dissipated;
+        sum.work += report.work;
     }
     return sum;
+}
+
+/// The next flow begins anew, since the state has been changed by something else.
+void forgetFlow(ConnectionData& data)
+{
+    if (data.tensors)
+        data.tensors->share.clear();
+}
+
+/// Makes room for a flow. What flowed and the state before are alike from here on where nothing flows.
+void beginToFlow(ConnectionData& data)
+{
+    TensorBody& body = *data.tensors;
+    const std::size_t count = data.aggregate->size();
+    body.flowed = data.changes.plastic;
+    body.share.assign(count, 1);
+    body.dissipated.assign(count, 0);
+    body.dilatation.assign(count, 0);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const std::size_t used = data.stiffness[d].empty() ? 0 : count;
+        body.strain[d].assign(used, 0);
+        body.affine[d].assign(used, 0);
+        body.lengthening[d].assign(used, 1);
+    }
+    body.blockLengthened.assign((count + data.blockSize - 1) / data.blockSize, 0);
+    body.reach = farthestAhead(data.aggregate->lattice);
 }
 
 } // namespace
@@ -115,18 +190,8 @@ std::pair<double, double> lengthen(ConnectionData& data, const VectorArray& posi
 void findFlow(ConnectionData& data, const VectorArray& position, double duration)
 {
     TensorBody& body = *data.tensors;
-    if (body.share.size() != position.size()) {
-        body.flowed = data.changes.plastic;
-        body.share.assign(position.size(), 1);
-        body.dissipated.assign(position.size(), 0);
-        body.dilatation.assign(position.size(), 0);
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-            const std::size_t used = data.stiffness[d].empty() ? 0 : position.size();
-            body.strain[d].assign(used, 0);
-            body.affine[d].assign(used, 0);
-            body.lengthening[d].assign(used, 1);
-        }
-    }
+    if (body.share.size() != position.size())
+        beginToFlow(data);
     findStrains(data, position);
     const auto strain = pointersTo<const double*>(body.strain);
     const auto metric = pointersTo<double*>(body.flowed.metric);
@@ -143,10 +208,14 @@ void findFlow(ConnectionData& data, const VectorArray& position, double duration
                                      .lengthening = lengthening.data(),
                                      .dissipated = body.dissipated.data()};
     applyTensorLaw(data, position, &result, WantedOfLaw::forces);
-    const double ofObjects = std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
-    const auto [ofConnections, work] = lengthen(data, position);
-    body.dissipatedEnergy = ofConnections + ofObjects;
-    body.flowWork = work + workOfObjects(body);
+    body.blockFlows = blocksThatFlow(data);
+    const LengthReport report = lengthen(data, position);
+    body.dissipatedEnergy = report.dissipated;
+    body.flowWork = report.work;
+    if (flowsAnywhere(body)) {
+        body.dissipatedEnergy += std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+        body.flowWork += workOfObjects(body);
+    }
     data.hasTrial = true;
 }
 
@@ -156,9 +225,7 @@ double acceptFlow(ConnectionData& data)
         return 0;
     data.hasTrial = false;
     std::swap(data.changes.plastic, data.tensors->flowed);
-    const bool hasFlowed =
-        std::any_of(data.tensors->share.begin(), data.tensors->share.end(), [](double s) { return s < 1; });
-    data.lengthVersion += hasFlowed ? 1 : 0;
+    data.lengthVersion += flowsAnywhere(*data.tensors) ? 1 : 0;
     return data.tensors->dissipatedEnergy;
 }
 
@@ -174,6 +241,7 @@ double renormalize(ConnectionData& data, const ObjectState& state, const std::ve
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
     const double before = storedEnergy(data, state.position);
     PlasticState& plastic = data.changes.plastic;
+    forgetFlow(data);
     const DeformationGradients gradients(data, state.position, data.theta);
     // Lengths are relative to C where there is one, and C has no volume.
     const auto volumeOf = [&](std::size_t i) {
@@ -249,6 +317,8 @@ void recover(ConnectionData& data, double dt)
     LaneVector<double>& damage = data.changes.plastic.damage;
     for (ObjectIndex i = 0; i < damage.size(); ++i)
         damage[i] *= kept[data.materials->indexOf(i)];
+    if (data.tensors && data.tensors->flowed.damage.size() == damage.size())
+        data.tensors->flowed.damage = damage;
 }
 
 } // namespace knead

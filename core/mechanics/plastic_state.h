@@ -4,9 +4,11 @@
 #include "core/mechanics/vector_array.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace knead {
 
@@ -59,15 +61,19 @@ struct TensorBody {
 
     std::unique_ptr<RubberBody> rubber; ///< null: nothing is rubberlike
 
-    PlasticState flowed;           ///< after the last flow
+    PlasticState flowed;           ///< after the last flow; where S is 1 the same as before it
     double dissipatedEnergy = 0;   ///< by it [J]
     double flowWork = 0;           ///< see StructuralConnections::flowWork() [J]
-    LaneVector<double> share;      ///< S of it
+    LaneVector<double> share;      ///< S of it; empty: there was none yet
     LaneVector<double> dissipated; ///< [J]
     LaneVector<double> dilatation; ///< ln J
     DirectionArray strain;         ///< ln(L / l) per connection
     DirectionArray affine;         ///< ln(|F D| / l_b) per object
     DirectionArray lengthening;    ///< D^T C' D / D^T C D per object
+
+    std::vector<std::uint8_t> blockFlows;      ///< per block of objects: something of it flowed
+    std::vector<std::uint8_t> blockLengthened; ///< per block: nominal lengths after the flow may not be those before
+    std::size_t reach = 0; ///< the upper end of a connection is at most so much further on than the lower one
 };
 
 } // namespace knead

@@ -85,9 +85,13 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
     std::vector<std::vector<double>> around;
     for (const ContactBody& body : bodies)
         around.emplace_back(body.state->size(), 0);
-    for (const Point& point : m_points)
-        for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n)
-            around[point.body][point.spread.objects[n]] += std::abs(point.spread.weights[n]) * stiffnessOf(point);
+    for (const Point& point : m_points) {
+        if (!point.isSkin)
+            continue;
+        const double stiffness = stiffnessOf(point);
+        for (std::uint32_t n = 0; n < point.spread.count; ++n)
+            around[point.body][point.spread.objects[n]] += std::abs(point.spread.weights[n]) * stiffness;
+    }
     for (Point& point : m_points) {
         const ContactBody& body = bodies[point.body];
         const Material& material = body.materialOf(point.spread.main());
