@@ -83,7 +83,9 @@ struct ImplicitEuler::Whole {
     double acts = 0;            ///< of all that touches it, without directions [N s]
     double mass = 0;            ///< [kg]
     Vec3 gain = Vec3::Zero();   ///< of momentum in the step [N s]
+    double rest = 0;            ///< momentum that is none [N s]
     bool isHeld = false;
+    bool hasTouched = false; ///< something, in a trial of the step
 
     /// Of the lack, along what it stands on; all of it where that is not flat.
     Vec3 sliding() const
@@ -94,13 +96,14 @@ struct ImplicitEuler::Whole {
         return lack - lack.dot(up) * up;
     }
 
-    /// The lack by what it may be.
+    /// The lack by what it may be. What touched in a trial, and touches nothing now, may have been lifted off by a step that went
+    /// too far: it flies only if its momentum says so.
     /// @param leastShare of the gain of momentum, which at least is to compare with: what flies and grazes something touches nearly nothing
     double share(double leastShare) const
     {
-        if (isHeld || acts == 0)
+        if (isHeld || !hasTouched || lack.norm() <= rest)
             return 0;
-        const double compared = std::max(acts, leastShare * gain.norm());
+        const double compared = acts > 0 ? std::max(acts, leastShare * gain.norm()) : gain.norm();
         const Vec3 side = sliding();
         return std::max(side.norm() / solverSettings.newton.wholeTolerance,
                         (lack - side).norm() / solverSettings.newton.pushedTolerance) /
@@ -122,6 +125,8 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
         whole.normal += h * push * normal;
         whole.pushed += h * std::abs(push);
     };
+    for (const ObjectRef& object : m_touched)
+        wholes[object.body][piecesOf(object.body).ofObject[object.object]].hasTouched = true;
     for (const ContactTangent& tangent : tangents) {
         touch(tangent.first, tangent.force, tangent.normal);
         if (tangent.second)
@@ -136,6 +141,8 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
             whole.gain += state.mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i));
             whole.isHeld = whole.isHeld || state.inverseMass[i] == 0;
         }
+        for (Whole& whole : wholes[b])
+            whole.rest = whole.mass * solverSettings.newton.restShare * m_spacing / h;
     }
     return wholes;
 }
@@ -146,7 +153,7 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
 double ImplicitEuler::lackOfWholes(const std::vector<ContactTangent>& tangents, double h, double leastShare) const
 {
     double most = 0;
-    if (tangents.empty())
+    if (m_touched.empty())
         return most;
     for (const std::vector<Whole>& ofBody : wholesOf(tangents, h))
         for (const Whole& whole : ofBody)

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <limits>
 
 using namespace knead;
 
@@ -31,6 +32,34 @@ void runUntil(Simulation& simulation, double time)
 {
     while (simulation.time() < time - 1e-9 && simulation.health().ok)
         simulation.step();
+}
+
+constexpr double slopeFriction = 0.3;
+constexpr double slopeTime = 0.5; // [s]
+
+/// How far a block comes on its own down a plane in that time [m].
+double wayDownASlope(const Material& material, const Eigen::Vector3i& cells, double degrees)
+{
+    Scene scene = implicit({});
+    scene.bodies.push_back(scenes::box(cells, spacing, material));
+    scene.bodies[0].material.friction = slopeFriction;
+    const double angle = degrees * 3.14159265358979 / 180;
+    scene.gravity = 9.81 * Vec3(std::sin(angle), 0, -std::cos(angle));
+    scene.floorHeight = -0.5 * cells.z() * spacing;
+    scene.floorFriction = slopeFriction;
+    Simulation simulation(scene);
+    runUntil(simulation, slopeTime);
+    const auto shot = simulation.snapshot();
+    if (!simulation.health().ok || shot->unsolvedSteps != 0 || shot->step >= 2000)
+        return std::numeric_limits<double>::quiet_NaN();
+    return scenes::meanPosition(*shot).x();
+}
+
+/// The same of a rigid one (Coulomb).
+double coulombWay(double degrees)
+{
+    const double angle = degrees * 3.14159265358979 / 180;
+    return 0.5 * 9.81 * (std::sin(angle) - slopeFriction * std::cos(angle)) * slopeTime * slopeTime;
 }
 
 Pose at(const Vec3& position)
@@ -240,29 +269,28 @@ private slots:
             for (const Eigen::Vector3i& cells :
                  {Eigen::Vector3i(6, 6, 4), Eigen::Vector3i(6, 6, 6), Eigen::Vector3i(8, 8, 6)})
                 for (const double degrees : {12.0, 25.0, 35.0}) {
-                    Scene scene = implicit({});
-                    scene.bodies.push_back(scenes::box(cells, spacing, material));
-                    scene.bodies[0].material.friction = 0.3;
-                    const double angle = degrees * 3.14159265358979 / 180;
-                    scene.gravity = 9.81 * Vec3(std::sin(angle), 0, -std::cos(angle));
-                    scene.floorHeight = -0.5 * cells.z() * spacing;
-                    scene.floorFriction = 0.3;
-                    Simulation simulation(scene);
-                    const double time = 0.5;
-                    runUntil(simulation, time);
-                    QVERIFY(simulation.health().ok);
-                    const auto shot = simulation.snapshot();
-                    QCOMPARE(shot->unsolvedSteps, std::uint64_t{0});
-                    QVERIFY2(shot->step < 2000, qPrintable(QString::number(shot->step)));
-                    const double way = scenes::meanPosition(*shot).x();
-                    const double free = 0.5 * 9.81 * (std::sin(angle) - 0.3 * std::cos(angle)) * time * time;
+                    const double way = wayDownASlope(material, cells, degrees);
                     if (degrees < 16)
                         QVERIFY2(std::abs(way) < 0.02 * spacing, qPrintable(QString::number(way)));
                     else
-                        QVERIFY2(std::abs(way / free - 1) < 0.05,
-                                 qPrintable(
-                                     QString("%1 degrees, %2 cells: %3").arg(degrees).arg(cells.z()).arg(way / free)));
+                        QVERIFY2(std::abs(way / coulombWay(degrees) - 1) < 0.05,
+                                 qPrintable(QString("%1 degrees, %2 cells: %3")
+                                                .arg(degrees)
+                                                .arg(cells.z())
+                                                .arg(way / coulombWay(degrees))));
                 }
+    }
+
+    /// Trials of a step may lift a stiff block off the slope: it must not fly on without its weight. A little more or less of
+    /// stiffness changes in which steps they do; of sixteen such blocks four slid up to 8 % too far.
+    void whatTrialsLiftOffASlopeComesDown()
+    {
+        for (const double stiffness : {1.002, 1.007, 1.008, 1.01}) {
+            Material material = steel();
+            material.youngsModulus *= stiffness;
+            const double way = wayDownASlope(material, {6, 6, 4}, 25) / coulombWay(25);
+            QVERIFY2(std::abs(way - 1) < 0.03, qPrintable(QString("%1 of steel: %2").arg(stiffness).arg(way)));
+        }
     }
 
     void toolsNeitherTunnelNorExplode()
