@@ -91,6 +91,30 @@ CompensationState stateAfter(const std::vector<CompensationRound>& rounds, const
     return state;
 }
 
+namespace {
+
+// Of the factor of the study: how far the factor of a round may be from it.
+constexpr double leastOfFactor = 0.5;
+constexpr double mostOfFactor = 2;
+
+/// With which the step to the last round would have left the least (Aitken): w <d, d - d'> / |d - d'|^2, where w took the
+/// deviations from d to d'.
+double factorOf(const TargetPoints& points, const CompensationRound& before, const CompensationRound& last)
+{
+    double along = 0;
+    double squared = 0;
+    for (std::size_t i = 0; i < points.places.size(); ++i) {
+        if (!points.counts[i])
+            continue;
+        const Vec3 change = before.deviations[i] - last.deviations[i];
+        along += before.deviations[i].dot(change);
+        squared += change.squaredNorm();
+    }
+    return squared > 0 ? last.factor * along / squared : last.factor;
+}
+
+} // namespace
+
 CompensationRound nextRound(const TargetPoints& points, const std::vector<CompensationRound>& rounds,
                             const CompensationMethod& method)
 {
@@ -102,11 +126,16 @@ CompensationRound nextRound(const TargetPoints& points, const std::vector<Compen
     const CompensationState state = stateAfter(rounds, method);
     const CompensationRound& best = rounds[state.best];
     next.factor = state.factor;
+    if (const std::size_t last = rounds.size() - 1; last > 0 && state.best == last) {
+        const std::vector<CompensationRound> earlier(rounds.begin(), rounds.end() - 1);
+        const double learned = factorOf(points, rounds[stateAfter(earlier, method).best], best);
+        next.factor = std::clamp(learned, leastOfFactor * state.factor, mostOfFactor * state.factor);
+    }
     next.compensation = best.compensation;
     const std::vector<Vec3> wrong =
         method.smoothing > 0 ? smoothed(points.places, best.deviations, method.smoothing) : best.deviations;
     for (std::size_t i = 0; i < wrong.size(); ++i)
-        next.compensation[i] -= state.factor * wrong[i];
+        next.compensation[i] -= next.factor * wrong[i];
     return next;
 }
 

@@ -15,7 +15,7 @@ namespace knead {
 /// One round of a compensation: a shape, and how far what comes of it is from the target.
 struct CompensationRound {
     int number = 1;
-    double factor = 1; ///< with which its shape was found
+    double factor = 1; ///< w with which its shape was found
     std::vector<Vec3>
         compensation;             ///< c_k: what takes the target to the shape of the round, at the target's points [m]
     std::vector<Vec3> deviations; ///< d_k: from the target to what came out, at these points [m]
@@ -36,7 +36,7 @@ enum class CompensationEnd {
 /// Where a compensation is after some rounds.
 struct CompensationState {
     std::size_t best = 0;               ///< the round with the least largest deviation, index
-    double factor = 1;                  ///< of the next round
+    double factor = 1;                  ///< of the study, or half of it
     bool isHalved = false;              ///< the last round was worse than the best one, hence half the factor
     std::optional<CompensationEnd> end; ///< none: another round
 };
@@ -45,8 +45,9 @@ struct CompensationState {
 CompensationState stateAfter(const std::vector<CompensationRound>& rounds, const CompensationMethod& method);
 
 /// The shape of the next round: displacement adjustment from the best round,
-///     c_{k+1} = c_k - factor S d_k,
-/// where S smooths. The target is always deformed as a whole by c, never a shape that was deformed before, so that nothing that the
+///     c_{k+1} = c_k - w_k S d_k,
+/// where S smooths. The first step takes w = factor; while deviations fall, the later ones take what the step before them would
+/// have had to (Aitken's relaxation, w_{k-1} <d_{k-1}, d_{k-1} - d_k> / |d_{k-1} - d_k|^2), from half the factor to twice. The target is always deformed as a whole by c, never a shape that was deformed before, so that nothing that the
 /// map of a field leaves out adds up. The first round is the target itself.
 /// Its deviations are empty.
 CompensationRound nextRound(const TargetPoints& points, const std::vector<CompensationRound>& rounds,

@@ -37,7 +37,7 @@ json studyOfWarp()
 json bendingRecipe()
 {
     json recipe = json::parse(R"({
-        "version": 1, "spacing_mm": 10, "material": {"preset": "plasticine"},
+        "version": 1, "spacing_mm": 5, "material": {"preset": "plasticine"},
         "analysis": "static", "load_steps": 8, "duration_s": 1,
         "fixtures": [{"name": "vice", "faces": [0]}, {"name": "grip", "faces": [1], "velocity_mm_s": [0, 0, -50]}],
         "events": [{"time_s": 0.75, "remove_fixture": "grip"}]})");
@@ -212,7 +212,7 @@ void CompensateTest::springbackOfARecipeIsCompensated()
     const json study{{"version", 1},
                      {"part", examples + "bar.step"},
                      {"recipe", "bend.recipe.json"},
-                     {"tolerance_mm", 0.7}, // 5 % of what the first round finds, of a bar of one cell
+                     {"tolerance_mm", 0.5},
                      {"rounds", 4},
                      {"spacing_mm", 10}};
     const QString folder = m_shop.qPath("springback");

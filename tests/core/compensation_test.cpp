@@ -75,6 +75,7 @@ private slots:
     void linearFieldsAreSmooth();
     void noiseIsSmoothedAway();
     void theFactorIsHalvedOnceAndThenItEnds();
+    void roundsLearnHowMuchSpringsBack();
 };
 
 void CompensationTest::aWarpIsTakenBackInFourRounds()
@@ -191,6 +192,34 @@ void CompensationTest::theFactorIsHalvedOnceAndThenItEnds()
     QCOMPARE(state.end, CompensationEnd::diverged);
     QCOMPARE(state.best, std::size_t{3});
     QCOMPARE(stateAfter({ofDeviation(4), ofDeviation(3)}, {.tolerance = 1, .rounds = 2}).end, CompensationEnd::rounds);
+}
+
+/// Of what is taken back a part comes out: 0.55 in one, 1.4 in the other.
+void CompensationTest::roundsLearnHowMuchSpringsBack()
+{
+    class Spring final : public maps::PointMap {
+    public:
+        explicit Spring(double share)
+            : m_share(share)
+        {
+        }
+        double featureSize() const override { return 0.1; }
+
+    protected:
+        Vec3 place(const Vec3& point) const override { return m_share * point + Vec3(0.01, 0.02, 0); }
+
+    private:
+        double m_share;
+    };
+    const TargetPoints points = targetPoints(plate(), {}, 4 * mm);
+    for (const double share : {0.55, 1.4}) {
+        const std::vector<CompensationRound> rounds =
+            compensated(points, {.tolerance = 1e-9, .rounds = 6}, Spring(share));
+        QCOMPARE(rounds[1].factor, 1.0);
+        QVERIFY(rounds[1].largest > 0.3 * rounds[0].largest);
+        QVERIFY2(std::abs(rounds[2].factor * share - 1) < 1e-6, qPrintable(QString::number(rounds[2].factor)));
+        QVERIFY2(rounds[2].largest < 1e-6 * rounds[0].largest, qPrintable(QString::number(rounds[2].largest)));
+    }
 }
 
 QTEST_APPLESS_MAIN(CompensationTest)
