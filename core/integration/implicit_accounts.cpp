@@ -83,6 +83,8 @@ struct ImplicitEuler::Whole {
     double acts = 0;            ///< of all that touches it, without directions [N s]
     double mass = 0;            ///< [kg]
     Vec3 gain = Vec3::Zero();   ///< of momentum in the step [N s]
+    Vec3 before = Vec3::Zero(); ///< momentum at its start [N s]
+    double weight = 0;          ///< momentum that its weight gives it in the step [N s]
     double rest = 0;            ///< momentum that is none [N s]
     bool isHeld = false;
     bool hasTouched = false; ///< something, in a trial of the step
@@ -97,13 +99,16 @@ struct ImplicitEuler::Whole {
     }
 
     /// The lack by what it may be. What touched in a trial, and touches nothing now, may have been lifted off by a step that went
-    /// too far: it flies only if its momentum says so.
+    /// too far: it flies only if it falls.
     /// @param leastShare of the gain of momentum, which at least is to compare with: what flies and grazes something touches nearly nothing
     double share(double leastShare) const
     {
         if (isHeld || !hasTouched || lack.norm() <= rest)
             return 0;
-        const double compared = acts > 0 ? std::max(acts, leastShare * gain.norm()) : gain.norm();
+        const double compared = acts > 0 ? std::max(acts, leastShare * gain.norm())
+                                         : std::max(weight, solverSettings.newton.flyingShare * before.norm());
+        if (compared == 0)
+            return 0;
         const Vec3 side = sliding();
         return std::max(side.norm() / solverSettings.newton.wholeTolerance,
                         (lack - side).norm() / solverSettings.newton.pushedTolerance) /
@@ -128,7 +133,12 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
     for (const ObjectRef& object : m_touched)
         wholes[object.body][piecesOf(object.body).ofObject[object.object]].hasTouched = true;
     for (const ContactTangent& tangent : tangents) {
-        touch(tangent.first, tangent.force, tangent.normal);
+        if (tangent.spread == nullptr)
+            touch(tangent.first, tangent.force, tangent.normal);
+        else
+            for (std::uint32_t n = 0; n < tangent.spread->count; ++n)
+                touch({tangent.first.body, tangent.spread->objects[n]}, tangent.spread->weights[n] * tangent.force,
+                      tangent.normal);
         if (tangent.second)
             touch(*tangent.second, -tangent.force, tangent.normal);
     }
@@ -138,6 +148,8 @@ std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std
             Whole& whole = wholes[b][piecesOf(b).ofObject[i]];
             whole.lack += m_residual.at(m_first[b] + i);
             whole.mass += state.mass[i];
+            whole.weight += h * state.weighedMass()[i] * m_gravity.norm();
+            whole.before += state.mass[i] * m_startVelocity[b].at(i);
             whole.gain += state.mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i));
             whole.isHeld = whole.isHeld || state.inverseMass[i] == 0;
         }

@@ -138,6 +138,7 @@ private:
     std::vector<std::size_t> m_handIndex;
     std::vector<RigidSurface> m_surfaces;                       ///< of the last trial
     std::vector<ToolHand> m_hands;                              ///< of the step
+    Vec3 m_gravity = Vec3::Zero();                              ///< of the step [m/s^2]
     double m_mass = 0;                                          ///< of all bodies [kg]
     double m_spacing = std::numeric_limits<double>::infinity(); ///< the smallest [m]
     ImplicitSystem m_system;

@@ -128,6 +128,7 @@ double ImplicitEuler::goalOf(const Lack& lack)
 ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gravity, double h)
 {
     Report report;
+    m_gravity = gravity;
     weighPieces();
     m_mixing.restart();
     ContactStep step{.duration = h,

@@ -102,6 +102,7 @@ struct NewtonSettings {
     // that in the next step. More: pieces drift and turn; less: more solutions.
     double wholeTolerance = 3e-3;
     double pushedTolerance = 3e-2;
+    double flyingShare = 0.1; ///< of its momentum, what a piece that flies is compared with where it weighs less
     /// Steps that end with more than that are halved up to so often: long ones find no slide that steep contacts answer to, and a steel
     /// block would stop on a slope, held by twice the friction that there is. What only grazes something is compared with this share of
     /// the momentum that it gains.

@@ -125,7 +125,8 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const LaneBits flows = (norm > yield) & (g.weight == all(1)) & inside(i, a.begin, a.end);
     after = trial.metric;
     if (!any(flows)) {
-        if (any((load(flow.share + i) < all(1)) & inside(i, a.begin, a.end)))
+        // Other threads may be at the rest of a partial vector.
+        if (write.isPartial || any(~(load(flow.share + i) >= all(1))))
             writeNoFlow(arguments, i, trial.metric, alpha, damage);
         return false;
     }

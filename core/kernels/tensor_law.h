@@ -80,8 +80,8 @@ struct PlasticState {
                 ///< of material that heals, what it has been drawn out net: nothing in shear, and compression undoes it
 };
 
-/// What a flow finds. Arrays begin at object 0. `affine` is written for all objects of the run; the others for vectors in which
-/// something flows now or has at the time before, S < 1. Elsewhere they have to hold already what no flow leaves: the
+/// What a flow finds. Arrays begin at object 0. `affine` is written for all objects of the run; the others at least for vectors in
+/// which something flows now or has at the time before, S < 1. Elsewhere they have to hold already what no flow leaves: the
 /// plastic state as it was, S = 1, nothing dissipated, no lengthening.
 struct FlowResult {
     double duration;                       ///< dt [s]

@@ -84,10 +84,10 @@ std::vector<std::uint8_t> blocksThatFlow(const ConnectionData& data)
 {
     const LaneVector<double>& share = data.tensors->share;
     return ofEachBlock<std::uint8_t>(share.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
-        double least = 1;
+        std::uint8_t flows = 0;
         for (std::size_t i = begin; i < end; ++i)
-            least = std::min(least, share[i]);
-        return static_cast<std::uint8_t>(least < 1);
+            flows |= share[i] >= 1 ? 0 : 1;
+        return flows;
     });
 }
 

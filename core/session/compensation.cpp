@@ -78,7 +78,7 @@ CompensationState stateAfter(const std::vector<CompensationRound>& rounds, const
     for (std::size_t k = 1; k < rounds.size(); ++k) {
         state.isHalved = rounds[k].largest >= rounds[state.best].largest && ++growths == 1;
         if (state.isHalved)
-            state.factor /= 2;
+            state.factor = rounds[k].factor / 2;
         if (rounds[k].largest < rounds[state.best].largest)
             state.best = k;
     }
@@ -93,24 +93,31 @@ CompensationState stateAfter(const std::vector<CompensationRound>& rounds, const
 
 namespace {
 
-// Of the factor of the study: how far the factor of a round may be from it.
+// Of the factor of the study, or of what a round that failed left of it: how far that of a round may be from it.
 constexpr double leastOfFactor = 0.5;
 constexpr double mostOfFactor = 2;
 
-/// With which the step to the last round would have left the least (Aitken): w <d, d - d'> / |d - d'|^2, where w took the
-/// deviations from d to d'.
-double factorOf(const TargetPoints& points, const CompensationRound& before, const CompensationRound& last)
+/// Of a round, S d.
+std::vector<Vec3> wrongOf(const TargetPoints& points, const CompensationRound& round, const CompensationMethod& method)
+{
+    return method.smoothing > 0 ? smoothed(points.places, round.deviations, method.smoothing) : round.deviations;
+}
+
+/// With which the last step would have left the least (Aitken): w <d, d - d'> / |d - d'|^2, where w took the deviations from d
+/// to d'.
+double learnedFactor(const TargetPoints& points, const std::vector<Vec3>& before, const std::vector<Vec3>& now,
+                     double factor)
 {
     double along = 0;
     double squared = 0;
     for (std::size_t i = 0; i < points.places.size(); ++i) {
         if (!points.counts[i])
             continue;
-        const Vec3 change = before.deviations[i] - last.deviations[i];
-        along += before.deviations[i].dot(change);
+        const Vec3 change = before[i] - now[i];
+        along += before[i].dot(change);
         squared += change.squaredNorm();
     }
-    return squared > 0 ? last.factor * along / squared : last.factor;
+    return squared > 0 ? factor * along / squared : factor;
 }
 
 } // namespace
@@ -126,14 +133,14 @@ CompensationRound nextRound(const TargetPoints& points, const std::vector<Compen
     const CompensationState state = stateAfter(rounds, method);
     const CompensationRound& best = rounds[state.best];
     next.factor = state.factor;
+    next.compensation = best.compensation;
+    const std::vector<Vec3> wrong = wrongOf(points, best, method);
     if (const std::size_t last = rounds.size() - 1; last > 0 && state.best == last) {
         const std::vector<CompensationRound> earlier(rounds.begin(), rounds.end() - 1);
-        const double learned = factorOf(points, rounds[stateAfter(earlier, method).best], best);
+        const std::vector<Vec3> before = wrongOf(points, rounds[stateAfter(earlier, method).best], method);
+        const double learned = learnedFactor(points, before, wrong, best.factor);
         next.factor = std::clamp(learned, leastOfFactor * state.factor, mostOfFactor * state.factor);
     }
-    next.compensation = best.compensation;
-    const std::vector<Vec3> wrong =
-        method.smoothing > 0 ? smoothed(points.places, best.deviations, method.smoothing) : best.deviations;
     for (std::size_t i = 0; i < wrong.size(); ++i)
         next.compensation[i] -= next.factor * wrong[i];
     return next;

@@ -36,8 +36,8 @@ enum class CompensationEnd {
 /// Where a compensation is after some rounds.
 struct CompensationState {
     std::size_t best = 0;               ///< the round with the least largest deviation, index
-    double factor = 1;                  ///< of the study, or half of it
-    bool isHalved = false;              ///< the last round was worse than the best one, hence half the factor
+    double factor = 1;                  ///< of the study, or half of that of a round that failed
+    bool isHalved = false;              ///< the last round was worse than the best one, hence half its factor
     std::optional<CompensationEnd> end; ///< none: another round
 };
 

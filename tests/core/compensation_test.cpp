@@ -55,9 +55,9 @@ std::vector<CompensationRound> compensated(const TargetPoints& points, const Com
     return rounds;
 }
 
-CompensationRound ofDeviation(double largest)
+CompensationRound ofDeviation(double largest, double factor = 0.8)
 {
-    return {.compensation = {Vec3::Zero()}, .deviations = {Vec3(largest, 0, 0)}, .largest = largest};
+    return {.factor = factor, .compensation = {Vec3::Zero()}, .deviations = {Vec3(largest, 0, 0)}, .largest = largest};
 }
 
 } // namespace
@@ -183,7 +183,10 @@ void CompensationTest::theFactorIsHalvedOnceAndThenItEnds()
     QCOMPARE(state.factor, 0.4);
     const TargetPoints one{.places = {Vec3::Zero()}, .counts = {true}, .spacing = 1};
     QCOMPARE(nextRound(one, rounds, method).compensation[0], Vec3(-0.8, 0, 0)); // from the best one
-    rounds.push_back(ofDeviation(1));
+    rounds[2].factor = 1.2;                                                     // learned: it is this that was too much
+    QCOMPARE(stateAfter(rounds, method).factor, 0.6);
+    rounds[2].factor = 0.8;
+    rounds.push_back(ofDeviation(1, 0.4));
     state = stateAfter(rounds, method);
     QVERIFY(!state.isHalved && !state.end && state.best == 3);
     QCOMPARE(state.factor, 0.4);

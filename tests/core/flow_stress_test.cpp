@@ -164,6 +164,77 @@ private slots:
         }
     }
 
+    /// A cube of metal that cannot slide on two plates, pressed by 60 % of its height: its edges roll onto the plates.
+    void sharpEdgesThatStickStayStable_data()
+    {
+        QTest::addColumn<double>("cells");
+        QTest::addColumn<double>("poisson");
+        QTest::addColumn<bool>("isTilted");
+        QTest::newRow("6 cells") << 6.0 << 0.3 << false;
+        QTest::newRow("6 cells, nearly incompressible") << 6.0 << 0.45 << false;
+        QTest::newRow("6 cells, along [111]") << 6.0 << 0.3 << true;
+        QTest::newRow("4 cells, along [111]") << 4.0 << 0.3 << true;
+    }
+    void sharpEdgesThatStickStayStable()
+    {
+        QFETCH(const double, cells);
+        QFETCH(const double, poisson);
+        QFETCH(const bool, isTilted);
+        constexpr double thickness = 0.004;
+        constexpr double share = 0.6;
+        constexpr double duration = 0.5;
+        Material material = metal(1e7, 1e5, 0);
+        material.poissonRatio = poisson;
+        const Quaternion turn = isTilted ? turnOnto(Vec3::UnitZ(), Vec3(1, 1, 1).normalized()) : Quaternion::Identity();
+        const TriangleMesh mesh = shapes::moved(shapes::box({width, width, width}), {Vec3::Zero(), turn});
+        Scene scene;
+        scene.bodies.push_back(scenes::body(mesh, width / cells, material, "cube"));
+        scene.bodies[0].surface = std::make_shared<const TriangleMesh>(mesh);
+        scene.integrator = Integrator::implicitEuler;
+        scene.timeStep = duration / 40;
+        for (const double side : {-1.0, 1.0}) {
+            Manipulator plate{.name = "plate", .size = {3 * width, 3 * width, thickness}, .friction = 2};
+            plate.kind = ToolKind::plate;
+            plate.speedLimit = 10;
+            const auto at = [&](double down) {
+                return Pose{turn * Vec3(0, 0, side * (width / 2 + thickness / 2 - down)), turn};
+            };
+            plate.pose = at(0);
+            plate.motion = FollowKeyFrames{{{0, at(0)}, {duration, at(share * width / 2)}}};
+            scene.manipulators.push_back(plate);
+        }
+        Simulation simulation(scene);
+        const auto pressBy = [&](double pressed) {
+            while (simulation.health().ok && simulation.time() < (pressed / share) * duration * (1 - 1e-9))
+                simulation.step();
+            return simulation.snapshot();
+        };
+        for (const double pressed : {0.3, 0.45, share}) {
+            pressBy(pressed - 0.02); // forces are means since then
+            const auto shot = pressBy(pressed);
+            QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
+            // Between none and all of the friction of a slab that slides at the shear yield stress (upper bound).
+            const double height = width * (1 - pressed);
+            const double section = width * width * width / height;
+            const double slab = 1 + std::sqrt(section) / height / (3 * std::sqrt(3.0));
+            const Vec3 axis = turn * Vec3::UnitZ();
+            const double force = 0.5 * (shot->tools[1].force - shot->tools[0].force).dot(axis) / (section * 1e5);
+            qInfo("pressed by %.2f: %.3f of the yield force, bounds 1 and %.3f; filled anew %d times", pressed, force,
+                  slab, static_cast<int>(shot->refills));
+            QVERIFY2(force > 0.95 && force < 1.25 * slab, qPrintable(QString("%1: %2").arg(pressed).arg(force)));
+        }
+        while (simulation.time() < 1.2 * duration)
+            simulation.step();
+        const auto shot = simulation.snapshot();
+        QVERIFY(shot->health.ok);
+        QCOMPARE(shot->unsolvedSteps, std::uint64_t{0});
+        QVERIFY(shot->refills > 0);
+        QVERIFY2(shot->energy.kinetic < 1e-6 * shot->energy.toolWork,
+                 qPrintable(QString::number(shot->energy.kinetic)));
+        QVERIFY2(std::abs(shot->energy.imbalance) < 0.01 * shot->energy.toolWork,
+                 qPrintable(QString::number(shot->energy.imbalance / shot->energy.toolWork)));
+    }
+
     /// Stiff and slow, stiff and fast: the force is the same.
     void doesNotDependOnTheTimeItTakes()
     {
