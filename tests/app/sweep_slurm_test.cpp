@@ -133,12 +133,15 @@ void SweepSlurmTest::vanishedTasksAreSubmittedAgain()
     QProcess process;
     process.setProcessEnvironment(serverEnvironment());
     process.start(KNEAD_PROGRAM, arguments(folder, points));
-    QVERIFY(!process.waitForFinished(3'000)); // waits for the tasks that are held
+    std::string said; // after ten seconds, that it waits for the tasks that are held
+    while (said.find("1 of 3 points, 2 in Slurm") == std::string::npos && !process.waitForFinished(50))
+        said += process.readAllStandardError().toStdString();
+    QCOMPARE(process.state(), QProcess::Running);
     QCOMPARE(jobsIn(folder), QStringList{job});
     SlurmCluster::answerOf("scancel", {job});
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitCode(), 1);
-    const std::string said = process.readAllStandardError().toStdString();
+    said += process.readAllStandardError().toStdString();
     const std::string sentence =
         "The task " + job.toStdString() +
         "_2 of point 2 vanished from Slurm without a result. The same command submits it again.";
