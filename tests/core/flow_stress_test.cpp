@@ -44,16 +44,14 @@ Scene implicitScene(const Body& body, double duration)
     return scene;
 }
 
-/// Between two plates without friction, by a share of its height. @return mean force over the last tenth of the way [N]
-double press(const Vec3& direction, double cells, const Material& material, double share, double duration)
+/// Two plates at the ends of a bar, its axis turned from z, that go together by a share of its height `width`.
+void addPlates(Scene& scene, const Quaternion& turn, double size, double friction, double share, double duration)
 {
-    const Quaternion turn = turnOnto(Vec3::UnitZ(), direction.normalized());
-    Scene scene = implicitScene(bar(direction, width, cells, material), duration);
     constexpr double thickness = 0.004;
     for (const double side : {-1.0, 1.0}) {
-        Manipulator plate{.name = "plate", .size = {2 * width, 2 * width, thickness}};
+        Manipulator plate{.name = "plate", .size = {size, size, thickness}};
         plate.kind = ToolKind::plate;
-        plate.friction = 0;
+        plate.friction = friction;
         plate.speedLimit = 10;
         const auto at = [&](double down) {
             return Pose{turn * Vec3(0, 0, side * (width / 2 + thickness / 2 - down)), turn};
@@ -62,18 +60,33 @@ double press(const Vec3& direction, double cells, const Material& material, doub
         plate.motion = FollowKeyFrames{{{0, at(0)}, {duration, at(share * width / 2)}}};
         scene.manipulators.push_back(plate);
     }
+}
+
+auto stepUntil(Simulation& simulation, double time)
+{
+    while (simulation.health().ok && simulation.time() < time * (1 - 1e-9))
+        simulation.step();
+    return simulation.snapshot();
+}
+
+/// Mean force of the plates since the last snapshot [N].
+double plateForce(const Snapshot& shot, const Quaternion& turn)
+{
+    return 0.5 * (shot.tools[1].force - shot.tools[0].force).dot(turn * Vec3::UnitZ());
+}
+
+/// Between two plates without friction, by a share of its height. @return mean force over the last tenth of the way [N]
+double press(const Vec3& direction, double cells, const Material& material, double share, double duration)
+{
+    const Quaternion turn = turnOnto(Vec3::UnitZ(), direction.normalized());
+    Scene scene = implicitScene(bar(direction, width, cells, material), duration);
+    addPlates(scene, turn, 2 * width, 0, share, duration);
     Simulation simulation(scene);
-    const auto run = [&](double until) {
-        while (simulation.health().ok && simulation.time() < until * (1 - 1e-9))
-            simulation.step();
-        return simulation.snapshot();
-    };
-    run(0.9 * duration);
-    const auto shot = run(duration);
+    stepUntil(simulation, 0.9 * duration);
+    const auto shot = stepUntil(simulation, duration);
     if (!shot->health.ok)
         qWarning("%s", shot->health.message.english().c_str());
-    const Vec3 axis = turn * Vec3::UnitZ();
-    return shot->health.ok ? 0.5 * (shot->tools[1].force - shot->tools[0].force).dot(axis) : 0;
+    return shot->health.ok ? plateForce(*shot, turn) : 0;
 }
 
 /// Pulled at both ends by grips. @return mean force over the last tenth [N]
@@ -180,7 +193,6 @@ private slots:
         QFETCH(const double, cells);
         QFETCH(const double, poisson);
         QFETCH(const bool, isTilted);
-        constexpr double thickness = 0.004;
         constexpr double share = 0.6;
         constexpr double duration = 0.5;
         Material material = metal(1e7, 1e5, 0);
@@ -192,23 +204,9 @@ private slots:
         scene.bodies[0].surface = std::make_shared<const TriangleMesh>(mesh);
         scene.integrator = Integrator::implicitEuler;
         scene.timeStep = duration / 40;
-        for (const double side : {-1.0, 1.0}) {
-            Manipulator plate{.name = "plate", .size = {3 * width, 3 * width, thickness}, .friction = 2};
-            plate.kind = ToolKind::plate;
-            plate.speedLimit = 10;
-            const auto at = [&](double down) {
-                return Pose{turn * Vec3(0, 0, side * (width / 2 + thickness / 2 - down)), turn};
-            };
-            plate.pose = at(0);
-            plate.motion = FollowKeyFrames{{{0, at(0)}, {duration, at(share * width / 2)}}};
-            scene.manipulators.push_back(plate);
-        }
+        addPlates(scene, turn, 3 * width, 2, share, duration);
         Simulation simulation(scene);
-        const auto pressBy = [&](double pressed) {
-            while (simulation.health().ok && simulation.time() < (pressed / share) * duration * (1 - 1e-9))
-                simulation.step();
-            return simulation.snapshot();
-        };
+        const auto pressBy = [&](double pressed) { return stepUntil(simulation, pressed / share * duration); };
         for (const double pressed : {0.3, 0.45, share}) {
             pressBy(pressed - 0.02); // forces are means since then
             const auto shot = pressBy(pressed);
@@ -217,15 +215,12 @@ private slots:
             const double height = width * (1 - pressed);
             const double section = width * width * width / height;
             const double slab = 1 + std::sqrt(section) / height / (3 * std::sqrt(3.0));
-            const Vec3 axis = turn * Vec3::UnitZ();
-            const double force = 0.5 * (shot->tools[1].force - shot->tools[0].force).dot(axis) / (section * 1e5);
+            const double force = plateForce(*shot, turn) / (section * 1e5);
             qInfo("pressed by %.2f: %.3f of the yield force, bounds 1 and %.3f; filled anew %d times", pressed, force,
                   slab, static_cast<int>(shot->refills));
             QVERIFY2(force > 0.95 && force < 1.25 * slab, qPrintable(QString("%1: %2").arg(pressed).arg(force)));
         }
-        while (simulation.time() < 1.2 * duration)
-            simulation.step();
-        const auto shot = simulation.snapshot();
+        const auto shot = stepUntil(simulation, 1.2 * duration);
         QVERIFY(shot->health.ok);
         QCOMPARE(shot->unsolvedSteps, std::uint64_t{0});
         QVERIFY(shot->refills > 0);
