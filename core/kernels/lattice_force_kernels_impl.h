@@ -115,7 +115,10 @@ KNEAD_INLINE void forEachDirectionBack(const Visit& visit)
 /// How much of a vector belongs to a run.
 enum class VectorPart { whole, some };
 
-template <bool volumetric, VectorPart part>
+/// Whether nominal lengths, damping times and shares are the same for all connections of a direction, and no share is taken.
+enum class Springs { alike, own };
+
+template <bool volumetric, Springs springs, VectorPart part>
 KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
 {
     const LaneBits mask = part == VectorPart::some ? inside(i, a.begin, a.end) : LaneBits{};
@@ -137,11 +140,13 @@ KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
         Lanes k = load(direction->stiffness + i);
         if constexpr (part == VectorPart::some)
             k = masked(k, mask);
+        constexpr bool own = springs == Springs::own;
         const Lanes length =
-            direction->nominalLength ? load(direction->nominalLength + i) : all(direction->uniformLength);
-        const Lanes time = direction->dampingTime ? load(direction->dampingTime + i) : all(a.dampingTime);
-        const Lanes share = direction->springShare ? load(direction->springShare + i) : all(direction->uniformShare);
-        const Lanes pull = share * (k * (1 - length * inverse));
+            own && direction->nominalLength ? load(direction->nominalLength + i) : all(direction->uniformLength);
+        const Lanes time = own && direction->dampingTime ? load(direction->dampingTime + i) : all(a.dampingTime);
+        Lanes pull = k * (1 - length * inverse);
+        if constexpr (own)
+            pull *= direction->springShare ? load(direction->springShare + i) : all(direction->uniformShare);
         const Lanes brake = k * time * (inverseSquared * approach);
         Lanes px = pull * dx, py = pull * dy, pz = pull * dz;
         if constexpr (volumetric) {
@@ -188,23 +193,36 @@ KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
     add(damping + 2 * t, bz);
 }
 
-template <bool volumetric>
+template <bool volumetric, Springs springs>
 void addForcesOfRun(const ForceArguments& a)
 {
     for (std::size_t i = firstVector(a.begin, a.end); i < a.end; i += lanes) {
         if (i >= a.begin && i + lanes <= a.end)
-            addForcesOfVector<volumetric, VectorPart::whole>(a, i);
+            addForcesOfVector<volumetric, springs, VectorPart::whole>(a, i);
         else
-            addForcesOfVector<volumetric, VectorPart::some>(a, i);
+            addForcesOfVector<volumetric, springs, VectorPart::some>(a, i);
     }
+}
+
+bool areAlike(const ForceArguments& a)
+{
+    bool alike = true;
+    for (std::size_t d = 0; d < a.directionCount; ++d) {
+        const ForceDirection& direction = a.directions[d];
+        alike = alike && !direction.nominalLength && !direction.dampingTime && !direction.springShare &&
+                direction.uniformShare == 1;
+    }
+    return alike;
 }
 
 void addForces(const ForceArguments& arguments)
 {
-    if (arguments.stressStride != 0)
-        addForcesOfRun<true>(arguments);
+    const bool isVolumetric = arguments.stressStride != 0;
+    if (areAlike(arguments))
+        isVolumetric ? addForcesOfRun<true, Springs::alike>(arguments)
+                     : addForcesOfRun<false, Springs::alike>(arguments);
     else
-        addForcesOfRun<false>(arguments);
+        isVolumetric ? addForcesOfRun<true, Springs::own>(arguments) : addForcesOfRun<false, Springs::own>(arguments);
 }
 
 /// Columns of M = sum k d o^T over the connections of eight objects, in lattice axes.

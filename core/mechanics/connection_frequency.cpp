@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knead {
@@ -15,42 +16,106 @@ namespace {
 
 constexpr double modeSteps = 127; // of a kept mode, from 0 to its largest component
 
-/// Stiffness of one connection in its present state, less what would make it softer: along itself k, across it the pull per
-/// length when it is stretched.
-Mat3 tangent(const Vec3& across, double k, double nominalLength)
+constexpr std::size_t mostTangents = 64; // found at a time
+
+/// Symmetric matrices: xx yy zz xy yz zx, each of all of them in a row.
+using Tangents = std::array<std::array<double, mostTangents>, 6>;
+
+/// Stiffness of connections in their present state, less what would make them softer: along themselves k, across them the
+/// pull per length of those that are stretched, s = max(0, 1 - l / |d|): K = k ((1 - s) d d^T / |d|^2 + s I).
+Tangents tangentsOf(const ConnectionData& data, const ObjectState& state, std::size_t d, std::size_t lower,
+                    std::size_t upper, std::size_t n)
 {
-    const double length = across.norm();
-    if (length == 0)
-        return k * Mat3::Identity();
-    const Vec3 n = across / length;
-    const Mat3 dyad = n * n.transpose();
-    const double sideways = std::max(0.0, 1 - nominalLength / length);
-    return k * (dyad + sideways * (Mat3::Identity() - dyad));
+    const std::size_t stride = state.position.stride();
+    const double* from = state.position.data() + lower;
+    const double* to = state.position.data() + upper;
+    const double* k = data.stiffness[d].data() + lower;
+    const kernels::ObjectNumber lengths = data.nominalLengths(d);
+    std::array<double, mostTangents> nominal;
+    if (lengths.each != nullptr)
+        std::copy_n(lengths.each + lower, n, nominal.begin());
+    else
+        std::fill_n(nominal.begin(), n, lengths.all);
+    Tangents tangents;
+    for (std::size_t s = 0; s < n; ++s) {
+        const double x = to[s] - from[s];
+        const double y = to[stride + s] - from[stride + s];
+        const double z = to[2 * stride + s] - from[2 * stride + s];
+        const double squared = x * x + y * y + z * z;
+        const double present = squared > 0 ? squared : 1; // of two in one place all ways are along
+        const double sideways = squared > 0 ? std::max(0.0, 1 - nominal[s] / std::sqrt(present)) : 1;
+        const double across = k[s] * sideways;
+        const double along = (k[s] - across) / present;
+        tangents[0][s] = along * x * x + across;
+        tangents[1][s] = along * y * y + across;
+        tangents[2][s] = along * z * z + across;
+        tangents[3][s] = along * x * y;
+        tangents[4][s] = along * y * z;
+        tangents[5][s] = along * z * x;
+    }
+    return tangents;
 }
+
+/// The sum of the connections' stiffness around each object of a block.
+class BlockStiffness {
+public:
+    BlockStiffness(std::size_t begin, std::size_t end)
+        : m_begin(begin)
+        , m_size(end - begin)
+        , m_sums(6 * m_size, 0.0)
+    {
+    }
+
+    void add(const Tangents& tangents, std::size_t object, std::size_t n)
+    {
+        for (std::size_t entry = 0; entry < 6; ++entry) {
+            double* sums = m_sums.data() + entry * m_size + (object - m_begin);
+            for (std::size_t s = 0; s < n; ++s)
+                sums[s] += tangents[entry][s];
+        }
+    }
+
+    Mat3 of(std::size_t object) const
+    {
+        const auto entry = [&](std::size_t n) { return m_sums[n * m_size + (object - m_begin)]; };
+        Mat3 sum;
+        sum << entry(0), entry(3), entry(5), entry(3), entry(1), entry(4), entry(5), entry(4), entry(2);
+        return sum;
+    }
+
+private:
+    std::size_t m_begin;
+    std::size_t m_size;
+    std::vector<double> m_sums;
+};
 
 std::vector<double> bondBounds(const ConnectionData& data, const ObjectState& state, const std::vector<double>& added)
 {
     std::vector<double> bounds(state.size());
     forEachBlock(state.size(), data.blockSize, [&](std::size_t begin, std::size_t end) {
-        std::vector<Mat3> stiffness(end - begin, Mat3::Zero());
+        BlockStiffness stiffness(begin, end);
         for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-            const kernels::ObjectNumber lengths = data.nominalLengths(d);
-            const auto addTo = [&](std::size_t object, std::size_t lower, std::size_t upper, std::size_t n) {
-                for (std::size_t s = 0; s < n; ++s)
-                    if (const double k = data.stiffness[d][lower + s]; k > 0)
-                        stiffness[object + s - begin] +=
-                            tangent(state.position.at(upper + s) - state.position.at(lower + s), k,
-                                    valueAt(lengths, lower + s));
+            // To both ends that are in the block; connections from an earlier one are found by each of both blocks.
+            const auto add = [&](std::size_t lower, std::size_t upper, std::size_t count) {
+                for (std::size_t done = 0; done < count; done += mostTangents) {
+                    const std::size_t n = std::min(mostTangents, count - done);
+                    const Tangents tangents = tangentsOf(data, state, d, lower + done, upper + done, n);
+                    if (lower >= begin)
+                        stiffness.add(tangents, lower + done, n);
+                    if (const std::size_t first = upper + done; first < end)
+                        stiffness.add(tangents, first, std::min(n, end - first));
+                }
             };
-            forEachStretch(data.aggregate->lattice, d, begin, end,
-                           [&](std::size_t lower, std::size_t upper, std::size_t n) { addTo(lower, lower, upper, n); });
-            forEachStretch<ConnectionEnd::upper>(
-                data.aggregate->lattice, d, begin, end,
-                [&](std::size_t lower, std::size_t upper, std::size_t n) { addTo(upper, lower, upper, n); });
+            forEachStretch<ConnectionEnd::upper>(data.aggregate->lattice, d, begin, end,
+                                                 [&](std::size_t lower, std::size_t upper, std::size_t n) {
+                                                     if (lower < begin)
+                                                         add(lower, upper, std::min(n, begin - lower));
+                                                 });
+            forEachStretch(data.aggregate->lattice, d, begin, end, add);
         }
         Eigen::SelfAdjointEigenSolver<Mat3> solver;
         for (std::size_t i = begin; i < end; ++i) {
-            solver.computeDirect(stiffness[i - begin], Eigen::EigenvaluesOnly);
+            solver.computeDirect(stiffness.of(i), Eigen::EigenvaluesOnly);
             bounds[i] = 2 * solver.eigenvalues()[2] + added[i];
         }
     });

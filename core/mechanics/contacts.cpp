@@ -35,6 +35,17 @@ void Contacts::updateParameters(double frequency)
     m_listing.invalidate();
 }
 
+void Contacts::setFrequency(double frequency)
+{
+    const auto& bodies = m_objects.bodies();
+    const bool allDeform = std::all_of(bodies.begin(), bodies.end(),
+                                       [](const ContactBody& body) { return body.kind == BodyKind::deformable; });
+    if (!allDeform)
+        updateParameters(frequency);
+    else
+        m_frequency = frequency;
+}
+
 void Contacts::setKind(std::uint32_t body, BodyKind kind)
 {
     m_objects.setKind(body, kind);

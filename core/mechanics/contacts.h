@@ -71,6 +71,9 @@ public:
     /// @param frequency the largest one of the deformable bodies, which rigid ones must not exceed [rad/s]
     void updateParameters(double frequency);
 
+    /// The same where nothing else has changed: less is done. @param frequency the same, > 0
+    void setFrequency(double frequency);
+
     void setKind(std::uint32_t body, BodyKind kind);
 
     /// Joins bodies that touch as if they were one, see gluedJoints().

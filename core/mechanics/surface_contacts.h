@@ -93,7 +93,7 @@ private:
         bool isSkin = false;
         bool isActive = true;
         bool isLoose = false; ///< end of a broken connection
-        bool isNew = false;   ///< and keeps how deep it is
+        bool isNew = false;   ///< and keeps how deep it is; such are last
         ContactParameters parameters;
     };
     struct Near {

@@ -182,8 +182,8 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             m_near[s].push_back(near);
         }
     }
-    for (Point& point : m_points)
-        point.isNew = false;
+    for (auto last = m_points.rbegin(); last != m_points.rend() && last->isNew; ++last)
+        last->isNew = false;
 }
 
 /// On which side of a knife that cuts its material a point is. An end of a connection that lies in the plane of the cut is opposite to

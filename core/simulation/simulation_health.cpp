@@ -92,7 +92,7 @@ void Simulation::State::findTimeStep()
     if (isDue)
         travel.recentCrowding = 0;
     if (isCrowded || isDue)
-        updateTimeStep();
+        contacts->setFrequency(boundTimeStep());
 }
 
 void Simulation::State::checkHealth()

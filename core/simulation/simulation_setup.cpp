@@ -219,7 +219,8 @@ void Simulation::State::holdFixtures()
     }
 }
 
-void Simulation::State::updateTimeStep()
+/// Finds the longest stable step. @returns the frequency that bounds it [rad/s]
+double Simulation::State::boundTimeStep()
 {
     steps.stable = std::numeric_limits<double>::infinity();
     double largest = 0;
@@ -237,9 +238,15 @@ void Simulation::State::updateTimeStep()
     }
     if (largest == 0)
         steps.stable = rigidTimeStep / solverSettings.explicitSteps.timeStepShare;
-    contacts->updateParameters(largest > 0 ? largest : 1 / rigidTimeStep);
     if (!isImplicit())
         steps.length = chosen.timeStep.value_or(solverSettings.explicitSteps.timeStepShare * steps.stable);
+    return largest > 0 ? largest : 1 / rigidTimeStep;
+}
+
+/// After a change of masses, materials or kinds.
+void Simulation::State::updateTimeStep()
+{
+    contacts->updateParameters(boundTimeStep());
 }
 
 std::vector<Contacts::BodyView> Simulation::State::contactBodies()

@@ -200,6 +200,7 @@ struct Simulation::State {
     void setMass(std::size_t body);
     void scaleMasses(BodyRun& run);
     void holdFixtures();
+    double boundTimeStep();
     void updateTimeStep();
     std::vector<Contacts::BodyView> contactBodies();
     void placeAtStart();

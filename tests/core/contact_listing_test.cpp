@@ -136,6 +136,28 @@ private slots:
         QVERIFY(touching() >= 25);
     }
 
+    /// That of the deformable bodies bounds how stiff rigid ones are, and nothing else.
+    void anotherFrequencyConcernsRigidBodiesAlone()
+    {
+        Boxes boxes(2, 0.5e-3);
+        boxes.move(1, [](const Vec3& place) { return Vec3(place - Vec3(0.7e-3, 0, 0)); });
+        boxes.update();
+        const auto energy = [&] { return boxes.contacts->computeForces({}, {.duration = 1e-6}).energy; };
+        const auto energyAt = [&](double frequency) {
+            boxes.contacts->setFrequency(frequency);
+            boxes.update();
+            return energy();
+        };
+        const std::size_t listings = boxes.contacts->listings();
+        const double soft = energy();
+        QVERIFY(soft > 0);
+        QCOMPARE(energyAt(1e2), soft);
+        QCOMPARE(energyAt(1e5), soft);
+        QCOMPARE(boxes.contacts->listings(), listings);
+        boxes.contacts->setKind(1, BodyKind::rigid);
+        QVERIFY2(energyAt(1e2) < 0.5 * energyAt(1e5), qPrintable(QString::number(energyAt(1e2) / energyAt(1e5))));
+    }
+
     /// Bodies that begin in each other feel nothing; once apart they meet where their skins do.
     void whatBeganInsideIsForgottenOnceApart()
     {

@@ -3,6 +3,7 @@
 #include "core/mechanics/structural_connections.h"
 #include "support/scenes.h"
 
+#include <Eigen/Eigenvalues>
 #include <QTest>
 
 #include <cmath>
@@ -190,6 +191,35 @@ private slots:
                 else
                     QVERIFY(largest > 1e3 * start);
             }
+        }
+    }
+
+    /// By its definition, one connection after the other: of more objects than a block has, so that some cross from one to the
+    /// next, and of two in one place.
+    void boundsAreThoseOfTheStiffnessAroundEachObject()
+    {
+        Lump f(withPoisson(0.25), shapes::moved(shapes::box(spacing * Vec3(60, 19, 17)), shapes::tilt(0.4)));
+        QVERIFY(f.state.size() > 12000);
+        f.shake(0.2 * spacing, 0);
+        ObjectIndex together = 0;
+        f.connections.forEachConnection(ObjectIndex{5000},
+                                        [&](ObjectIndex object, const ConnectionId&) { together = object; });
+        f.state.position.set(5000, f.state.position.at(together));
+        const std::vector<double> bounds =
+            f.connections.stiffnessBounds(f.state, std::vector<double>(f.state.size(), 3.0));
+        for (ObjectIndex i = 0; i < f.state.size(); ++i) {
+            Mat3 sum = Mat3::Zero();
+            f.connections.forEachConnection(i, [&](ObjectIndex neighbor, const ConnectionId& connection) {
+                const Vec3 across = f.state.position.at(neighbor) - f.state.position.at(i);
+                const double k = f.connections.stiffness()[connection.direction][connection.lower];
+                const double length = across.norm();
+                const double sideways =
+                    length > 0 ? std::max(0.0, 1 - f.connections.nominalLength(connection) / length) : 1;
+                const Vec3 n = across.stableNormalized();
+                sum += k * ((1 - sideways) * n * n.transpose() + sideways * Mat3::Identity());
+            });
+            const double expected = 2 * sum.selfadjointView<Eigen::Lower>().eigenvalues()[2] + 3;
+            QVERIFY2(std::abs(bounds[i] / expected - 1) < 1e-9, qPrintable(QString::number(bounds[i] / expected)));
         }
     }
 
