@@ -14,14 +14,7 @@ class ContactCrowd {
 public:
     void add(const ContactBody& body, std::uint32_t index, ObjectIndex object, double stiffness)
     {
-        if (m_stiffness.size() <= index)
-            m_stiffness.resize(index + 1);
-        std::vector<double>& sums = m_stiffness[index];
-        if (sums.empty())
-            sums.assign(body.state->size(), 0);
-        if (sums[object] == 0 && stiffness > 0)
-            m_touched.push_back({index, object});
-        sums[object] += stiffness;
+        add(sumsOf(body, index), index, object, stiffness);
     }
 
     /// A bound on what a contact at a point adds to the modes of its objects.
@@ -30,8 +23,9 @@ public:
         double sum = 0;
         for (std::uint32_t n = 0; n < spread.count; ++n)
             sum += std::abs(spread.weights[n]);
+        std::vector<double>& sums = sumsOf(body, index);
         for (std::uint32_t n = 0; n < spread.count; ++n)
-            add(body, index, spread.objects[n], sum * std::abs(spread.weights[n]) * stiffness);
+            add(sums, index, spread.objects[n], sum * std::abs(spread.weights[n]) * stiffness);
     }
 
     /// The largest stiffness of an object by that of one contact, of bodies that deform; all begin anew.
@@ -53,6 +47,24 @@ private:
         std::uint32_t body;
         ObjectIndex object;
     };
+
+    std::vector<double>& sumsOf(const ContactBody& body, std::uint32_t index)
+    {
+        if (m_stiffness.size() <= index)
+            m_stiffness.resize(index + 1);
+        std::vector<double>& sums = m_stiffness[index];
+        if (sums.empty())
+            sums.assign(body.state->size(), 0);
+        return sums;
+    }
+
+    void add(std::vector<double>& sums, std::uint32_t index, ObjectIndex object, double stiffness)
+    {
+        if (sums[object] == 0 && stiffness > 0)
+            m_touched.push_back({index, object});
+        sums[object] += stiffness;
+    }
+
     std::vector<std::vector<double>> m_stiffness; ///< per body and object [N/m]
     std::vector<Touched> m_touched;
 };

@@ -46,15 +46,14 @@ ContactSpring stickingSpring(double gap, const ContactParameters& parameters)
             .energy = 0.5 * k * stretch * stretch + parameters.adhesion * (gap - stretch)};
 }
 
-} // namespace
-
-ContactSpring contactSpring(double overlap, const ContactParameters& parameters, bool sticks)
+/// @param steepest in place of d1
+ContactSpring springUpTo(double steepest, double overlap, const ContactParameters& parameters, bool sticks)
 {
     if (overlap <= 0)
         return sticks ? stickingSpring(-overlap, parameters) : ContactSpring{};
     const double k = parameters.stiffness;
     const double felt = std::min(overlap, parameters.largestOverlap);
-    const double d = std::min(felt, parameters.steepest);
+    const double d = std::min(felt, steepest);
     const double squared = d / parameters.stiffening * (d / parameters.stiffening);
     const double fourth = squared * squared;
     ContactSpring spring{
@@ -67,6 +66,13 @@ ContactSpring contactSpring(double overlap, const ContactParameters& parameters,
         spring.slope = 0;
     }
     return spring;
+}
+
+} // namespace
+
+ContactSpring contactSpring(double overlap, const ContactParameters& parameters, bool sticks)
+{
+    return springUpTo(parameters.steepest, overlap, parameters, sticks);
 }
 
 FrictionMemory parted(const FrictionMemory& memory, const ContactParameters& parameters, const ContactStep& step)
@@ -94,9 +100,8 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     if (state.overlap <= 0 && !sticks && step.clings && !state.memory.isEmpty())
         return clingingForce(state, parameters, step);
     ContactResult result;
-    ContactParameters tried = parameters;
-    tried.steepest = std::min(parameters.steepest, step.steepest * parameters.stiffening);
-    const ContactSpring spring = contactSpring(state.overlap, tried, sticks);
+    const double steepest = std::min(parameters.steepest, step.steepest * parameters.stiffening);
+    const ContactSpring spring = springUpTo(steepest, state.overlap, parameters, sticks);
     const double farthest = std::max(parameters.adhesion / parameters.stiffness, parameters.adhesionReach);
     const bool isTornOff = sticks && step.remembers() && -state.overlap >= farthest;
     if (state.overlap <= 0 && (!sticks || isTornOff)) {

@@ -181,8 +181,8 @@ void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfac
     b.damping.add(second.ref.object, -result.damping);
     report.energy += result.energy;
     if (!result.friction.isZero(0)) {
-        report.frictions.push_back({first.ref, result.friction, Vec3::Zero()});
-        report.frictions.push_back({second.ref, -result.friction, Vec3::Zero()});
+        report.frictions.push_back({.object = first.ref, .force = result.friction, .velocity = Vec3::Zero()});
+        report.frictions.push_back({.object = second.ref, .force = -result.friction, .velocity = Vec3::Zero()});
     }
     ++report.count;
     report.steepness = std::max(report.steepness, result.steepness);

@@ -311,11 +311,11 @@ void CuttingEdges::computeForces(std::span<const ContactBody> bodies, std::span<
             load.torque -= (place - surface.pose.position).cross(force);
             load.power += force.dot(velocity);
             report.brakingPower -= force.dot(velocity);
-            for (std::uint32_t n = 0; n < point.spread.count; ++n)
-                report.frictions.push_back({.object = {point.body, point.spread.objects[n]},
-                                            .force = point.spread.weights[n] * force,
-                                            .velocity = velocity,
-                                            .cuts = true});
+            report.frictions.push_back({.object = {point.body, point.spread.objects[0]},
+                                        .spread = &point.spread,
+                                        .force = force,
+                                        .velocity = velocity,
+                                        .cuts = true});
             crowd.add(body, point.body, point.spread, k);
             if (step.isTrial)
                 report.tangents.push_back({.first = {point.body, point.spread.main()},

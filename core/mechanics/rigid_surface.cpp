@@ -6,11 +6,7 @@ namespace knead {
 
 SurfacePoint RigidSurface::nearest(const Vec3& place) const
 {
-    if (isFloor)
-        return {place.z() - pose.position.z(), Vec3::UnitZ()};
-    SurfacePoint point = surfaceOf(shape, pose.toLocal(place));
-    point.normal = pose.rotation * point.normal;
-    return point;
+    return PlacedSurface(*this).nearest(place);
 }
 
 Pose RigidSurface::poseBefore(double duration) const
@@ -19,6 +15,21 @@ Pose RigidSurface::poseBefore(double duration) const
     const Quaternion back(speed > 0 ? Eigen::AngleAxisd(-speed * duration, angularVelocity / speed)
                                     : Eigen::AngleAxisd::Identity());
     return {pose.position - duration * velocity, back * pose.rotation};
+}
+
+PlacedSurface::PlacedSurface(const RigidSurface& surface)
+    : m_surface(surface)
+    , m_rotation(surface.isFloor ? Mat3::Identity() : surface.pose.rotation.toRotationMatrix())
+{
+}
+
+SurfacePoint PlacedSurface::nearest(const Vec3& place) const
+{
+    if (m_surface.isFloor)
+        return {place.z() - m_surface.pose.position.z(), Vec3::UnitZ()};
+    SurfacePoint point = surfaceOf(m_surface.shape, placeIn(place));
+    point.normal = toWorld(point.normal);
+    return point;
 }
 
 Box RigidSurface::reach(double margin) const

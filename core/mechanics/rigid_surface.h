@@ -27,6 +27,23 @@ struct RigidSurface {
     Pose poseBefore(double duration) const;
 };
 
+/// The same for many places: its rotation as a matrix, which turns a place in half the time of a quaternion.
+class PlacedSurface {
+public:
+    explicit PlacedSurface(const RigidSurface& surface);
+
+    const RigidSurface& operator*() const { return m_surface; }
+    const RigidSurface* operator->() const { return &m_surface; }
+    Vec3 toLocal(const Vec3& direction) const { return m_rotation.transpose() * direction; }
+    Vec3 toWorld(const Vec3& direction) const { return m_rotation * direction; }
+    Vec3 placeIn(const Vec3& place) const { return toLocal(place - m_surface.pose.position); }
+    SurfacePoint nearest(const Vec3& place) const;
+
+private:
+    const RigidSurface& m_surface;
+    Mat3 m_rotation;
+};
+
 /// What the objects do to a rigid surface.
 struct SurfaceLoad {
     Vec3 force = Vec3::Zero();  ///< on the surface [N]

@@ -22,16 +22,6 @@ constexpr double mostTouching = 0.2;
 constexpr double mostAtOnce = 0.25;
 constexpr double leastAtOnce = 0.03;
 
-Vec3 toLocal(const RigidSurface& surface, const Vec3& direction)
-{
-    return surface.isFloor ? direction : Vec3(surface.pose.rotation.conjugate() * direction);
-}
-
-Vec3 toWorld(const RigidSurface& surface, const Vec3& direction)
-{
-    return surface.isFloor ? direction : Vec3(surface.pose.rotation * direction);
-}
-
 } // namespace
 
 /// Of the contacts of some points, as they are now [J].
@@ -44,12 +34,13 @@ double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<
                                           [&](const RigidSurface& each) { return each.id == m_listed[s]; });
         if (surface == surfaces.end())
             continue;
+        const PlacedSurface placed(*surface);
         for (const Near& near : m_near[s]) {
             if (ofPoint[near.point] == 0)
                 continue;
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
-            const double overlap = point.reach - nearest(near, *surface, place).distance - near.kept;
+            const double overlap = point.reach - nearest(near, placed, place).distance - near.kept;
             energy += contactSpring(overlap, parametersOf(point, *surface), near.friction.sticks).energy;
         }
     }
@@ -73,11 +64,11 @@ double SurfaceContacts::energy(std::span<const ContactBody> bodies, std::span<co
 
 /// What lies ahead of the edge of a knife that cuts it touches nothing, and is as deep in its flank then as it is when the edge comes
 /// by.
-bool SurfaceContacts::waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place)
+bool SurfaceContacts::waitsForEdge(Near& near, const Point& point, const PlacedSurface& surface, const Vec3& place)
 {
     if (near.side == 0)
         return false;
-    const auto flank = flankOf(surface.shape, near.side, surface.pose.toLocal(place));
+    const auto flank = flankOf(surface->shape, near.side, surface.placeIn(place));
     if (!flank || !flank->isAhead)
         return false;
     near.kept = std::max(0.0, point.reach - flank->plane.distance);
@@ -89,46 +80,49 @@ void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<c
                                 double duration)
 {
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        RigidSurface before = surfaces[s];
-        before.pose = surfaces[s].poseBefore(duration);
+        RigidSurface moved = surfaces[s];
+        moved.pose = surfaces[s].poseBefore(duration);
+        const PlacedSurface before(moved);
         for (Near& near : m_near[s]) {
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
             waitsForEdge(near, point, before, place);
             const SurfacePoint nearest = before.nearest(place);
-            near.foot = before.pose.toLocal(place - nearest.distance * nearest.normal);
-            near.normal = toLocal(before, nearest.normal);
+            near.foot = before.placeIn(place - nearest.distance * nearest.normal);
+            near.normal = before.toLocal(nearest.normal);
         }
     }
 }
 
 /// Of a surface; of what went past its edge within the step, of the plane that it came in through; of what a knife cut, of its flank.
-SurfacePoint SurfaceContacts::nearest(const Near& near, const RigidSurface& surface, const Vec3& place)
+SurfacePoint SurfaceContacts::nearest(const Near& near, const PlacedSurface& surface, const Vec3& place)
 {
     if (near.side != 0)
-        if (const auto flank = flankOf(surface.shape, near.side, surface.pose.toLocal(place)))
-            return {flank->plane.distance, toWorld(surface, flank->plane.normal)};
+        if (const auto flank = flankOf(surface->shape, near.side, surface.placeIn(place)))
+            return {flank->plane.distance, surface.toWorld(flank->plane.normal)};
     const SurfacePoint nearest = surface.nearest(place);
     if (nearest.distance >= 0 || near.normal.isZero(0))
         return nearest;
-    const Vec3 normal = toWorld(surface, near.normal);
-    const double distance = (surface.pose.toLocal(place) - near.foot).dot(near.normal);
+    const Vec3 normal = surface.toWorld(near.normal);
+    const double distance = (surface.placeIn(place) - near.foot).dot(near.normal);
     return normal.dot(nearest.normal) < sameSide && distance < 0 ? SurfacePoint{distance, normal} : nearest;
 }
 
 void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces)
 {
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        const PlacedSurface surface(surfaces[s]);
         for (Near& near : m_near[s]) {
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
-            const double depth = std::max(0.0, point.reach - nearest(near, surfaces[s], place).distance);
+            const double depth = std::max(0.0, point.reach - nearest(near, surface, place).distance);
             // What touches goes on, unless the tool was put further in than contacts ever let it.
             if (near.friction.isEmpty() || depth - near.kept > mostTouching * bodies[point.body].spacing()) {
                 near.kept = depth;
                 near.friction = {};
             }
         }
+    }
 }
 
 /// Ends of broken connections keep how deep they are, and wait for nothing.
@@ -155,7 +149,7 @@ double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, c
 }
 
 /// @param index of the surface
-void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurface& surface, std::uint32_t index,
+void SurfaceContacts::press(const ContactBody& body, Near& near, const PlacedSurface& surface, std::uint32_t index,
                             const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
     SurfaceLoad& load = report.loads[index];
@@ -177,32 +171,33 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
             near.friction = parted(near.friction, point.parameters, step);
         return;
     }
-    const Vec3 surfaceVelocity = surface.velocityAt(place);
-    const ContactParameters parameters = parametersOf(point, surface);
+    const Vec3 surfaceVelocity = surface->velocityAt(place);
+    const ContactParameters parameters = parametersOf(point, *surface);
     const bool stuck = near.friction.sticks && parameters.adhesion > 0;
     const ContactResult result =
         contactForce({.overlap = depth - kept,
                       .normal = nearest.normal,
                       .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
-                      .memory = {toWorld(surface, near.friction.hold), near.friction.pressure, near.friction.sticks}},
+                      .memory = {surface.toWorld(near.friction.hold), near.friction.pressure, near.friction.sticks}},
                      parameters, step);
     report.fracture += result.released;
     point.spread.add(result.spring, state.force);
     point.spread.add(result.damping, state.damping);
     if (step.remembers())
-        near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure, result.memory.sticks};
+        near.friction = {surface.toLocal(result.memory.hold), result.memory.pressure, result.memory.sticks};
     if (isApart && stuck && !result.memory.sticks)
         return;
     const Vec3 force = result.force();
     load.force -= force;
-    load.torque -= (place - surface.pose.position).cross(force);
+    load.torque -= (place - surface->pose.position).cross(force);
     load.power += force.dot(surfaceVelocity);
     report.energy += result.energy;
     report.brakingPower -= result.damping.dot(surfaceVelocity);
     if (!result.friction.isZero(0))
-        for (std::uint32_t n = 0; n < point.spread.count; ++n)
-            report.frictions.push_back(
-                {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
+        report.frictions.push_back({.object = {point.body, point.spread.objects[0]},
+                                    .spread = &point.spread,
+                                    .force = result.friction,
+                                    .velocity = surfaceVelocity});
     ++report.count;
     report.clinging += isApart && !stuck ? 1 : 0;
     report.steepness = std::max(report.steepness, result.steepness);
@@ -221,10 +216,12 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
 void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                     const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+        const PlacedSurface surface(surfaces[s]);
         for (Near& near : m_near[s])
             if (m_points[near.point].isActive)
-                press(bodies[m_points[near.point].body], near, surfaces[s], s, step, crowd, report);
+                press(bodies[m_points[near.point].body], near, surface, s, step, crowd, report);
+    }
 }
 
 void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
@@ -236,6 +233,7 @@ void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span
     std::vector<double> kept(m_points.size());
     for (const RigidSurface& surface : surfaces) {
         const Box box = surface.reach(largestSpacing);
+        const PlacedSurface placed(surface);
         std::fill(kept.begin(), kept.end(), 0);
         const auto listed = std::find(m_listed.begin(), m_listed.end(), surface.id);
         if (listed != m_listed.end())
@@ -249,7 +247,7 @@ void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span
             const Vec3 place = point.spread.at(body.state->position);
             if (!box.contains(place))
                 continue;
-            const SurfacePoint nearest = surface.nearest(place);
+            const SurfacePoint nearest = placed.nearest(place);
             const double force = contactSpring(point.reach - nearest.distance - kept[p], point.parameters).force;
             for (std::uint32_t n = 0; force > 0 && n < point.spread.count; ++n)
                 forces[point.body][point.spread.objects[n]] += point.spread.weights[n] * force * nearest.normal;
@@ -261,6 +259,7 @@ double SurfaceContacts::deepest(const ContactBody& body, std::uint32_t index, co
 {
     const double a = body.spacing();
     const Box box = surface.reach(a);
+    const PlacedSurface placed(surface);
     std::vector<double> deepest((m_points.size() + blockSize - 1) / blockSize, -a);
     forEachBlock(m_points.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         double& most = deepest[begin / blockSize];
@@ -270,7 +269,7 @@ double SurfaceContacts::deepest(const ContactBody& body, std::uint32_t index, co
                 continue;
             const Vec3 place = point.spread.at(body.state->position);
             if (box.contains(place))
-                most = std::max(most, point.reach - surface.nearest(place).distance);
+                most = std::max(most, point.reach - placed.nearest(place).distance);
         }
     });
     return deepest.empty() ? -a : *std::max_element(deepest.begin(), deepest.end());

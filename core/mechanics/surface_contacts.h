@@ -107,12 +107,12 @@ private:
     };
 
     static ContactParameters parametersOf(const Point& point, const RigidSurface& surface);
-    static SurfacePoint nearest(const Near& near, const RigidSurface& surface, const Vec3& place);
-    static bool waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place);
+    static SurfacePoint nearest(const Near& near, const PlacedSurface& surface, const Vec3& place);
+    static bool waitsForEdge(Near& near, const Point& point, const PlacedSurface& surface, const Vec3& place);
     static std::int8_t sideOf(const Point& point, const ContactBody& body, const RigidSurface& surface);
     void addPoints(const ContactBody& body, std::uint32_t index);
     void addPoint(const Point& point) { m_points.push_back(point); }
-    void press(const ContactBody& body, Near& near, const RigidSurface& surface, std::uint32_t index,
+    void press(const ContactBody& body, Near& near, const PlacedSurface& surface, std::uint32_t index,
                const ContactStep& step, ContactCrowd& crowd, ContactReport& report);
     double energyOf(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                     const std::vector<std::uint8_t>& ofPoint) const;

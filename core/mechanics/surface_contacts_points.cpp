@@ -159,6 +159,7 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
         largestReach = std::max(largestReach, body.spacing());
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         const Box box = surfaces[s].reach(largestReach + margin);
+        const PlacedSurface placed(surfaces[s]);
         m_listed.push_back(surfaces[s].id);
         for (std::uint32_t p = 0; p < m_points.size(); ++p) {
             const Point& point = m_points[p];
@@ -178,7 +179,7 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             }
             // Seen from its other side a knife is somewhere else: what is pushed stays where it is.
             if (isKnown ? found->second.side != near.side : point.isNew)
-                near.kept = std::max(0.0, point.reach - nearest(near, surfaces[s], place).distance);
+                near.kept = std::max(0.0, point.reach - nearest(near, placed, place).distance);
             m_near[s].push_back(near);
         }
     }

@@ -226,18 +226,27 @@ void Simulation::State::loadFixtures()
 /// Friction is among the braking forces; its share of their work follows from the mean velocities of the step.
 void Simulation::State::tellFrictionApart()
 {
-    double lost = 0;
-    double cut = 0;
-    for (const Contacts::Friction& friction : contactReport.frictions) {
-        const BodyRun& run = *runs[friction.object.body];
-        const ObjectIndex i = friction.object.object;
+    const auto meanVelocity = [this](const BodyRun& run, ObjectIndex i) {
         Vec3 velocity = run.state.velocity.at(i);
         if (!isImplicit() && run.deforms() && run.state.inverseMass[i] > 0)
             velocity -= 0.5 * steps.length *
                         (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) +
                          run.state.gravityShare(i) * around.gravity);
+        return velocity;
+    };
+    double lost = 0;
+    double cut = 0;
+    for (const Contacts::Friction& friction : contactReport.frictions) {
+        const BodyRun& run = *runs[friction.object.body];
+        Vec3 velocity = Vec3::Zero();
+        if (friction.spread == nullptr)
+            velocity = meanVelocity(run, friction.object.object);
+        else
+            for (std::uint32_t n = 0; n < friction.spread->count; ++n)
+                velocity += friction.spread->weights[n] * meanVelocity(run, friction.spread->objects[n]);
         (friction.cuts ? cut : lost) -= friction.force.dot(velocity - friction.velocity) * steps.length;
     }
+    contactReport.frictions.clear();
     accounts.energy.friction += lost;
     accounts.energy.fracture += cut;
     accounts.energy.viscous -= lost + cut;
