@@ -95,6 +95,17 @@ KNEAD_INLINE void writeNoFlow(const TensorLawArguments& arguments, std::size_t i
             write(flow.lengthening[d], all(1));
 }
 
+/// x^(-1/3) for x >= 1e-300. @param counts lanes that decide how it is found
+KNEAD_INLINE Lanes inverseCubeRoot(Lanes x, LaneBits counts)
+{
+    constexpr double coefficients[] = {-1.0 / 3,     2.0 / 9,         -14.0 / 81,     35.0 / 243,         -91.0 / 729,
+                                       728.0 / 6561, -1976.0 / 19683, 5434.0 / 59049, -135850.0 / 1594323};
+    const Lanes change = x - 1;
+    if (any((larger(change, -change) > all(smallDilatation)) & counts))
+        return exponential(logarithm(larger(x, all(1e-300))) * (-1.0 / 3));
+    return 1 + series(coefficients, change);
+}
+
 /// The return of eight objects: writes their plastic state afterwards, C in `after`. @return whether any of them flows
 KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t i, UnsignedBits behind,
                                const Trial& trial, Symmetric& after)
@@ -131,7 +142,9 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
         return false;
     }
     const Lanes time = valuesOf(arguments.numbers.flowTime, i);
-    const Lanes within = choose(time > all(0), 1 - exponential(larger(-flow.duration / time, all(-600))), all(1));
+    Lanes within = all(1);
+    if (any(time > all(0)))
+        within = choose(time > all(0), 1 - exponential(larger(-flow.duration / time, all(-600))), all(1));
     const Lanes modulus = shear * e.third;
     const Lanes beyond = within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus)));
     const Lanes share = choose(flows, 1 - 2 * modulus * beyond / norm, all(1));
@@ -147,7 +160,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
 #pragma GCC unroll 9
     for (int n = 0; n < 6; ++n)
         relaxed.m[n] = share * deviator.m[n] / shear + (n < 3 ? e.third : all(0));
-    const Lanes unit = exponential(logarithm(larger(determinant(relaxed), all(1e-300))) * (-1.0 / 3));
+    const Lanes unit = inverseCubeRoot(determinant(relaxed), inside(i, a.begin, a.end));
     for (Lanes& entry : relaxed.m)
         entry *= unit;
     const Symmetric flowed = metricOf(g, adjugate(relaxed));
@@ -160,59 +173,118 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     write(flow.equivalentStrain, alpha + grown);
     write(flow.damage, larger(damage + counted * grown, all(0)));
     write(flow.share, share);
-    forEachDirection([&]<int d>() __attribute__((always_inline)) {
-        if (((a.forward | a.backward) >> d & 1U) != 0)
-            write(flow.lengthening[d], choose(changes, quadratic<d>(after) / quadratic<d>(trial.metric), all(1)));
-    });
+    forEachInverse(
+        a.forward | a.backward, [&]<int d>() __attribute__((always_inline)) { return quadratic<d>(trial.metric); },
+        [&]<int d>(Lanes inverse) __attribute__((always_inline)) {
+            write(flow.lengthening[d], choose(changes, quadratic<d>(after) * inverse, all(1)));
+        });
     return true;
 }
 
-/// e^x for x that are not large, to 1e-5 at 1/2, positive for |x| < 3.
-KNEAD_INLINE double smallExponential(double x)
+KNEAD_INLINE Lanes squaredLengths(const ConstVectors& from, const ConstVectors& to, std::size_t i)
 {
-    const double even = 12 + x * x;
-    return (even + 6 * x) / (even - 6 * x);
+    const Lanes dx = load(to.x + i) - load(from.x + i), dy = load(to.y + i) - load(from.y + i),
+                dz = load(to.z + i) - load(from.z + i);
+    return dx * dx + dy * dy + dz * dz;
+}
+
+KNEAD_INLINE double squaredLength(const ConstVectors& from, const ConstVectors& to, std::size_t i)
+{
+    const double dx = to.x[i] - from.x[i], dy = to.y[i] - from.y[i], dz = to.z[i] - from.z[i];
+    return dx * dx + dy * dy + dz * dz;
 }
 
 void naturalStrain(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor, const double* length,
                    double* strain)
 {
-    const double *x0 = self.x, *y0 = self.y, *z0 = self.z;
-    const double *x1 = neighbor.x, *y1 = neighbor.y, *z1 = neighbor.z;
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < count; ++i) {
-        const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
-        const double squared = dx * dx + dy * dy + dz * dz + tinyLengthSquared;
-        strain[i] = 0.5 * naturalLogarithm<std::uint64_t>(squared / (length[i] * length[i]));
+    const std::size_t whole = count - count % lanes;
+    for (std::size_t i = 0; i < whole; i += lanes) {
+        const Lanes nominal = load(length + i);
+        const Lanes excess = 1 - nominal * nominal / (squaredLengths(self, neighbor, i) + tinyLengthSquared);
+        store(strain + i, naturalStretch(excess, !anyBeyond(larger(excess, -excess), smallExcess)));
     }
+    for (std::size_t i = whole; i < count; ++i)
+        strain[i] = 0.5 * naturalLogarithm<std::uint64_t>((squaredLength(self, neighbor, i) + tinyLengthSquared) /
+                                                          (length[i] * length[i]));
+}
+
+/// e^x for x that are not large, to 1e-5 at 1/2, positive for |x| < 3.
+template <typename Real>
+KNEAD_INLINE Real smallExponential(Real x)
+{
+    const Real even = 12 + x * x;
+    return (even + 6 * x) / (even - 6 * x);
+}
+
+KNEAD_INLINE double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+KNEAD_INLINE double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+KNEAD_INLINE double fourthRoot(double x)
+{
+    return __builtin_sqrt(__builtin_sqrt(x));
+}
+KNEAD_INLINE Lanes fourthRoot(Lanes x)
+{
+    constexpr double coefficients[] = {1.0 / 4,         -3.0 / 32,           7.0 / 128,
+                                       -77.0 / 2048,    231.0 / 8192,        -1463.0 / 65536,
+                                       4807.0 / 262144, -129789.0 / 8388608, 447051.0 / 33554432};
+    const Lanes change = x - 1;
+    return anyBeyond(larger(change, -change), smallDilatation) ? squareRoot(squareRoot(x))
+                                                               : 1 + series(coefficients, change);
+}
+
+/// By what nominal lengths are multiplied. @param beyond strain that the flow of the ends does not follow
+/// @param share that stays, of both ends @param lengthening of both ends
+template <typename Real>
+KNEAD_INLINE Real lengtheningOf(Real beyond, Real share, Real lengthening)
+{
+    const Real amount = beyond * (1 - 0.5 * share);
+    return fourthRoot(lengthening) * smallExponential(larger(smaller(amount, Real{} + 1), Real{} - 1));
+}
+
+/// Eight connections. Where no end flows they are as before.
+KNEAD_INLINE void lengthenEight(const LengthArguments& a, std::size_t i)
+{
+    const Lanes before = load(a.before + i);
+    const Lanes lowerShare = load(a.lowerShare + i), upperShare = load(a.upperShare + i);
+    if (!any(~(smaller(lowerShare, upperShare) >= all(1)))) {
+        store(a.after + i, before);
+        return;
+    }
+    const Lanes beyond = load(a.strain + i) - 0.5 * (load(a.lowerAffine + i) + load(a.upperAffine + i));
+    const Lanes after = before * lengtheningOf<Lanes>(beyond, lowerShare + upperShare,
+                                                      load(a.lowerLengthening + i) * load(a.upperLengthening + i));
+    const Lanes length = squareRoot(squaredLengths(a.lower, a.upper, i));
+    const Lanes k = load(a.stiffness + i);
+    const Lanes stretch = length - before, left = length - after;
+    store(a.dissipated, load(a.dissipated) + 0.5 * k * (stretch * stretch - left * left));
+    store(a.work, load(a.work) + k * left * (after - before));
+    store(a.after + i, after);
 }
 
 void lengthen(std::size_t count, const LengthArguments& a)
 {
-    const auto one = [&](std::size_t i, double& sum, double& work) __attribute__((always_inline))
-    {
-        const double beyond = a.strain[i] - 0.5 * (a.lowerAffine[i] + a.upperAffine[i]);
-        double amount = beyond * (1 - 0.5 * (a.lowerShare[i] + a.upperShare[i]));
-        amount = amount > 1 ? 1 : amount;
-        amount = amount < -1 ? -1 : amount;
+    static_assert(lanes == sumLanes);
+    const std::size_t whole = count - count % lanes;
+    for (std::size_t i = 0; i < whole; i += lanes)
+        lengthenEight(a, i);
+    for (std::size_t i = whole; i < count; ++i) {
         const double before = a.before[i];
-        const double stretch = __builtin_sqrt(__builtin_sqrt(a.lowerLengthening[i] * a.upperLengthening[i]));
-        const double after = before * stretch * smallExponential(amount);
-        const double dx = a.upper.x[i] - a.lower.x[i], dy = a.upper.y[i] - a.lower.y[i],
-                     dz = a.upper.z[i] - a.lower.z[i];
-        const double length = __builtin_sqrt(dx * dx + dy * dy + dz * dz);
-        sum += 0.5 * a.stiffness[i] * ((length - before) * (length - before) - (length - after) * (length - after));
-        work += a.stiffness[i] * (length - after) * (after - before);
+        const double after = before * lengtheningOf<double>(a.strain[i] - 0.5 * (a.lowerAffine[i] + a.upperAffine[i]),
+                                                            a.lowerShare[i] + a.upperShare[i],
+                                                            a.lowerLengthening[i] * a.upperLengthening[i]);
+        const double length = __builtin_sqrt(squaredLength(a.lower, a.upper, i));
+        const double stretch = length - before, left = length - after;
+        a.dissipated[i - whole] += 0.5 * a.stiffness[i] * (stretch * stretch - left * left);
+        a.work[i - whole] += a.stiffness[i] * left * (after - before);
         a.after[i] = after;
-    };
-    const std::size_t whole = count - count % sumLanes;
-    for (std::size_t first = 0; first < whole; first += sumLanes) {
-#pragma GCC ivdep
-        for (std::size_t lane = 0; lane < sumLanes; ++lane)
-            one(first + lane, a.dissipated[lane], a.work[lane]);
     }
-    for (std::size_t i = whole; i < count; ++i)
-        one(i, a.dissipated[i - whole], a.work[i - whole]);
 }
 
 } // namespace

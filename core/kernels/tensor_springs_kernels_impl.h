@@ -39,6 +39,28 @@ KNEAD_INLINE void addDyad(Symmetric& a, Lanes x)
     }
 }
 
+/// Calls visit.operator()<d>(1 / x_d) for the directions in use, the last one first, by one division: each inverse is the product of
+/// the others times the inverse of the product. @param numberOf gives x_d, numberOf.operator()<d>()
+template <typename NumberOf, typename Visit>
+KNEAD_INLINE void forEachInverse(std::uint32_t used, const NumberOf& numberOf, const Visit& visit)
+{
+    Lanes numbers[latticeDirectionCount];
+    Lanes products[latticeDirectionCount];
+    Lanes product = all(1);
+    forEachDirection([&]<int d>() __attribute__((always_inline)) {
+        numbers[d] = (used >> d & 1U) != 0 ? numberOf.template operator()<d>() : all(1);
+        products[d] = product;
+        product *= numbers[d];
+    });
+    Lanes inverse = 1 / product;
+    forEachDirectionBack([&]<int d>() __attribute__((always_inline)) {
+        if ((used >> d & 1U) == 0)
+            return;
+        visit.template operator()<d>(inverse * products[d]);
+        inverse *= numbers[d];
+    });
+}
+
 /// How far connections that follow F are from l_b: rho = 1 - l_b^2 / |F D|^2 per direction.
 struct Excess {
     Lanes rho[latticeDirectionCount];
@@ -56,27 +78,15 @@ KNEAD_INLINE Excess excessOf(const Surroundings& a, std::size_t i, const Symmetr
 #pragma GCC unroll 9
     for (int n = 0; n < 6; ++n)
         beyond.m[n] = square.m[n] - metric.m[n];
-    // One division for all: each inverse is the product of the others times the inverse of the product.
-    Lanes squared[latticeDirectionCount];
-    Lanes products[latticeDirectionCount];
-    Lanes product = all(1);
-    const std::uint32_t used = a.forward | a.backward;
-    forEachDirection([&]<int d>() __attribute__((always_inline)) {
-        squared[d] = (used >> d & 1U) != 0 ? quadratic<d>(square) + 1e-12 : all(1); // finite where F is flat
-        products[d] = product;
-        product *= squared[d];
-    });
-    Lanes inverse = 1 / product;
-    Excess excess;
+    Excess excess{};
     Lanes largest{};
-    forEachDirectionBack([&]<int d>() __attribute__((always_inline)) {
-        excess.rho[d] = Lanes{};
-        if ((used >> d & 1U) == 0)
-            return;
-        excess.rho[d] = quadratic<d>(beyond) * (inverse * products[d]);
-        inverse *= squared[d];
-        largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
-    });
+    forEachInverse(
+        a.forward | a.backward,
+        [&]<int d>() __attribute__((always_inline)) { return quadratic<d>(square) + 1e-12; }, // finite where F is flat
+        [&]<int d>(Lanes inverse) __attribute__((always_inline)) {
+            excess.rho[d] = quadratic<d>(beyond) * inverse;
+            largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
+        });
     excess.isSmall = !any((largest > all(smallExcess)) & inside(i, a.begin, a.end));
     return excess;
 }

@@ -216,6 +216,10 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const PlacedSur
 void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                     const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
+    std::size_t most = 0;
+    for (const std::vector<Near>& near : m_near)
+        most += near.size();
+    report.frictions.reserve(report.frictions.size() + most);
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const PlacedSurface surface(surfaces[s]);
         for (Near& near : m_near[s])
