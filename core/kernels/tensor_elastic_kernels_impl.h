@@ -141,7 +141,7 @@ struct Gradient : Deformation {
     Lanes scale; ///< ratio^(-2/3)
 };
 
-// Of J - 1. Below this, series to the ninth power are exact to rounding, and much quicker than a logarithm and an exponential.
+// Of J, determinants and lengthenings less 1. Below this, series to the ninth power are exact to rounding, and much quicker than a logarithm and an exponential.
 constexpr double smallDilatation = 0.02;
 
 /// @param i the first of the eight objects; what lies outside of the run decides nothing

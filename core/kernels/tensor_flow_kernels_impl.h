@@ -239,13 +239,13 @@ KNEAD_INLINE Lanes fourthRoot(Lanes x)
                                                                : 1 + series(coefficients, change);
 }
 
-/// By what nominal lengths are multiplied. @param beyond strain that the flow of the ends does not follow
+/// By what nominal lengths are multiplied; no number where something is none. @param beyond strain that the flow of the ends does not follow
 /// @param share that stays, of both ends @param lengthening of both ends
 template <typename Real>
 KNEAD_INLINE Real lengtheningOf(Real beyond, Real share, Real lengthening)
 {
     const Real amount = beyond * (1 - 0.5 * share);
-    return fourthRoot(lengthening) * smallExponential(larger(smaller(amount, Real{} + 1), Real{} - 1));
+    return fourthRoot(lengthening) * smallExponential(larger(Real{} - 1, smaller(Real{} + 1, amount)));
 }
 
 /// Eight connections. Where no end flows they are as before.
@@ -253,7 +253,7 @@ KNEAD_INLINE void lengthenEight(const LengthArguments& a, std::size_t i)
 {
     const Lanes before = load(a.before + i);
     const Lanes lowerShare = load(a.lowerShare + i), upperShare = load(a.upperShare + i);
-    if (!any(~(smaller(lowerShare, upperShare) >= all(1)))) {
+    if (!any(~((lowerShare >= all(1)) & (upperShare >= all(1))))) {
         store(a.after + i, before);
         return;
     }

@@ -12,9 +12,8 @@ namespace knead {
 /// Friction on an object or a point of material, to see what it does once that has moved.
 struct ContactFriction {
     ObjectRef object;
-    const PointSpread* spread =
-        nullptr;       ///< of a point of that object's body, which holds until contacts change; null: the object
-    Vec3 force;        ///< [N]
+    const PointSpread* spread = nullptr; ///< of a point of that body, valid until the next step; null: the object
+    Vec3 force;                          ///< [N]
     Vec3 velocity;     ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
     bool cuts = false; ///< it is of an edge: what it takes goes into the cut
 };

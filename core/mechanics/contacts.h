@@ -71,7 +71,8 @@ public:
     /// @param frequency the largest one of the deformable bodies, which rigid ones must not exceed [rad/s]
     void updateParameters(double frequency);
 
-    /// The same where nothing else has changed: less is done. @param frequency the same, > 0
+    /// The same where nothing else has changed. Where all bodies deform nothing depends on it, and lists of what is near stay.
+    /// @param frequency the same, > 0
     void setFrequency(double frequency);
 
     void setKind(std::uint32_t body, BodyKind kind);

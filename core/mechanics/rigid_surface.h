@@ -30,7 +30,8 @@ struct RigidSurface {
 /// The same for many places: its rotation as a matrix, which turns a place in half the time of a quaternion.
 class PlacedSurface {
 public:
-    explicit PlacedSurface(const RigidSurface& surface);
+    explicit PlacedSurface(const RigidSurface& surface); ///< which stays where it is meanwhile
+    explicit PlacedSurface(const RigidSurface&&) = delete;
 
     const RigidSurface& operator*() const { return m_surface; }
     const RigidSurface* operator->() const { return &m_surface; }

@@ -219,7 +219,8 @@ void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::sp
     std::size_t most = 0;
     for (const std::vector<Near>& near : m_near)
         most += near.size();
-    report.frictions.reserve(report.frictions.size() + most);
+    if (!step.isTrial)
+        report.frictions.reserve(report.frictions.size() + most);
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const PlacedSurface surface(surfaces[s]);
         for (Near& near : m_near[s])

@@ -219,7 +219,7 @@ void Simulation::State::holdFixtures()
     }
 }
 
-/// Finds the longest stable step. @returns the frequency that bounds it [rad/s]
+/// Finds the longest stable step, and takes it in explicit schemes. @return the frequency that bounds it [rad/s]
 double Simulation::State::boundTimeStep()
 {
     steps.stable = std::numeric_limits<double>::infinity();
@@ -243,7 +243,7 @@ double Simulation::State::boundTimeStep()
     return largest > 0 ? largest : 1 / rigidTimeStep;
 }
 
-/// After a change of masses, materials or kinds.
+/// The same where contacts may be others as well: at the start, and after a change of masses, materials, kinds or connections.
 void Simulation::State::updateTimeStep()
 {
     contacts->updateParameters(boundTimeStep());

@@ -249,7 +249,7 @@ struct Simulation::State {
     std::vector<Annealing> annealings;
     Surroundings around;
     std::unique_ptr<Contacts> contacts;
-    Contacts::Report contactReport; ///< of the last step
+    Contacts::Report contactReport; ///< of the last step, whose frictions are gone once told apart
 
     // How it goes on.
     SceneChoices chosen;

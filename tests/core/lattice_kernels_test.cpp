@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -41,9 +42,11 @@ constexpr std::size_t count = 1003;
 
 /// A run of objects in three directions, with room around it.
 struct Run {
-    explicit Run(std::size_t first, std::size_t last)
+    /// @param alike whether all connections of a direction have the same length and damping time
+    explicit Run(std::size_t first, std::size_t last, bool alike)
         : begin(first)
         , end(last)
+        , areAlike(alike)
     {
         std::mt19937 random(1);
         std::uniform_real_distribution<double> value(0.5, 1.5);
@@ -76,8 +79,8 @@ struct Run {
         for (std::size_t d = 0; d < 3; ++d)
             all.push_back({.offset = std::array{1, 17, 60}[d],
                            .stiffness = stiffness[d].data(),
-                           .nominalLength = d == 1 ? nullptr : length[d].data(),
-                           .dampingTime = d == 2 ? nullptr : time[d].data(),
+                           .nominalLength = areAlike || d == 1 ? nullptr : length[d].data(),
+                           .dampingTime = areAlike || d == 2 ? nullptr : time[d].data(),
                            .uniformLength = 0.9,
                            .columns = 2,
                            .column = {stress[d].data(), stress[(d + 1) % 3].data(), nullptr},
@@ -114,6 +117,7 @@ struct Run {
     static constexpr std::size_t size = 400;
     std::size_t begin;
     std::size_t end;
+    bool areAlike;
     VectorArray position, velocity;
     std::array<VectorArray, 3> stress;
     std::array<LaneVector<double>, 3> stiffness, length, time;
@@ -325,8 +329,9 @@ private slots:
         }
         for (const std::size_t begin : {0, 3, 8})
             for (const std::size_t end : {9, 40, 300}) // shorter and longer than what is worth aligning
-                for (const bool volumetric : {false, true}) {
-                    const Run run(begin, end);
+                for (const int kind : {0, 1, 2, 3}) {
+                    const bool volumetric = kind % 2 == 1;
+                    const Run run(begin, end, kind < 2);
                     const auto forces = run.forces(available().front(), volumetric);
                     for (const Kernels& kernels : available()) {
                         const auto others = run.forces(kernels, volumetric);
@@ -353,8 +358,9 @@ private slots:
     /// Against a plain sum over connections, objects outside the run untouched.
     void forcesOfARunAreThoseOfItsConnections()
     {
-        for (const bool volumetric : {false, true}) {
-            const Run run(5, 331);
+        for (const int kind : {0, 1, 2, 3}) {
+            const bool volumetric = kind % 2 == 1;
+            const Run run(5, 331, kind < 2);
             const auto forces = run.forces(best(), volumetric);
             std::vector<Vec3> expected(2 * Run::size, Vec3::Zero());
             for (const ForceDirection& direction : run.directions())
@@ -456,6 +462,95 @@ private slots:
             double other = 0;
             QVERIFY2(sameBits(lengthened(kernels, other), first), kernels.name);
             QCOMPARE(other, dissipated);
+        }
+    }
+
+    /// As steps have them, in rows of eight as in their remainder; where no end flows nothing changes.
+    void smallFlowsLengthenExactly()
+    {
+        const auto v = randomColumns(4, count, 0.8, 1.2, 3);
+        const auto small = randomColumns(4, count, -0.01, 0.01, 4);
+        const Column &before = v[3], &stretch = small[0], &affine = small[1];
+        std::array<Column, 2> share{Column(count, 1.0), Column(count, 1.0)};
+        std::array<Column, 2> lengthening{Column(count, 1.0), Column(count, 1.0)};
+        Column upper(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            upper[i] = v[0][i] + before[i] * (1 + stretch[i]);
+            for (std::size_t end = 0; end < 2; ++end)
+                if (i / 16 % 3 == end ||
+                    i % 80 == 0) { // sixteen of which one end flows, of which the other, of which none
+                    share[end][i] = 0.9 + 10 * small[2 + end][i];
+                    lengthening[end][i] = 1 + small[2 + end][i];
+                }
+        }
+        for (const Kernels& kernels : available()) {
+            const ConstVectors from{v[0].data(), v[1].data(), v[2].data()};
+            const ConstVectors to{upper.data(), v[1].data(), v[2].data()};
+            Column strain(count);
+            Column after(count, 99.0);
+            Column dissipated(sumLanes, 0.0);
+            Column work(sumLanes, 0.0);
+            kernels.naturalStrain(count, from, to, before.data(), strain.data());
+            kernels.lengthen(count, {.lower = from,
+                                     .upper = to,
+                                     .strain = strain.data(),
+                                     .lowerShare = share[0].data(),
+                                     .upperShare = share[1].data(),
+                                     .lowerAffine = affine.data(),
+                                     .upperAffine = affine.data(),
+                                     .lowerLengthening = lengthening[0].data(),
+                                     .upperLengthening = lengthening[1].data(),
+                                     .stiffness = v[1].data(),
+                                     .before = before.data(),
+                                     .after = after.data(),
+                                     .dissipated = dissipated.data(),
+                                     .work = work.data()});
+            double expected = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                QVERIFY2(std::abs(strain[i] - std::log1p((upper[i] - v[0][i]) / before[i] - 1)) < 1e-15, kernels.name);
+                const double shares = share[0][i] + share[1][i];
+                const double wanted = before[i] * std::pow(lengthening[0][i] * lengthening[1][i], 0.25) *
+                                      std::exp((strain[i] - affine[i]) * (1 - 0.5 * shares));
+                QVERIFY2(std::abs(after[i] / wanted - 1) < 1e-12, kernels.name);
+                if (shares == 2)
+                    QVERIFY2(after[i] == before[i], kernels.name);
+                const double length = upper[i] - v[0][i];
+                expected += 0.5 * v[1][i] * (std::pow(length - before[i], 2) - std::pow(length - after[i], 2));
+            }
+            const double sum = std::accumulate(dissipated.begin(), dissipated.end(), 0.0);
+            QVERIFY2(std::abs(sum / expected - 1) < 1e-9, kernels.name);
+        }
+    }
+
+    /// What is no number stays none, and is not taken for a length.
+    void noNumberStaysNone()
+    {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const Column zero(11, 0.0), one(11, 1.0), nothing(11, none);
+        for (const Kernels& kernels : available()) {
+            for (const bool ofShare : {false, true}) {
+                Column after(11, 99.0);
+                Column sums(2 * sumLanes, 0.0);
+                const ConstVectors at{zero.data(), zero.data(), zero.data()};
+                const ConstVectors to{one.data(), zero.data(), zero.data()};
+                const Column half(11, 0.5);
+                kernels.lengthen(11, {.lower = at,
+                                      .upper = to,
+                                      .strain = ofShare ? zero.data() : nothing.data(),
+                                      .lowerShare = ofShare ? nothing.data() : half.data(),
+                                      .upperShare = one.data(),
+                                      .lowerAffine = zero.data(),
+                                      .upperAffine = zero.data(),
+                                      .lowerLengthening = one.data(),
+                                      .upperLengthening = one.data(),
+                                      .stiffness = one.data(),
+                                      .before = one.data(),
+                                      .after = after.data(),
+                                      .dissipated = sums.data(),
+                                      .work = sums.data() + sumLanes});
+                for (const double length : after)
+                    QVERIFY2(std::isnan(length), kernels.name);
+            }
         }
     }
 
