@@ -39,6 +39,7 @@ ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies, std::size_t mostHands
         m_handIndex.push_back(m_system.rigids().size());
         m_handRow.push_back(m_system.addRigid());
     }
+    m_pieceGain.resize(m_bodies.size());
     m_velocity.resize(m_system.rows());
     m_residual.resize(m_system.rows());
 }
@@ -51,23 +52,56 @@ void ImplicitEuler::guess(std::size_t body, double h)
     const VectorArray& before = m_startVelocity[body];
     for (std::size_t c = 0; c < 3; ++c)
         std::copy_n(state.velocity.component(c), state.size(), m_velocity.component(c) + m_first[body]);
+    const Pieces& pieces = piecesOf(body);
+    m_pieceGain[body].assign(pieces.count, Vec3::Zero());
     if (before.size() != state.size() || m_lastStep == 0 || m_wasBalanced)
         return;
-    const Pieces& pieces = piecesOf(body);
     std::vector<Vec3> gained(pieces.count, Vec3::Zero());
-    std::vector<double> mass(pieces.count, 0);
-    std::vector<std::uint8_t> isHeld(pieces.count, 0);
+    std::vector<double> mass(pieces.count, 0); // infinite where a piece is held
     for (std::size_t i = 0; i < state.size(); ++i) {
         const std::uint32_t piece = pieces.ofObject[i];
         gained[piece] += state.mass[i] * (state.velocity.at(i) - before.at(i));
-        mass[piece] += state.mass[i];
-        isHeld[piece] |= state.inverseMass[i] == 0 ? 1 : 0;
+        mass[piece] += state.inverseMass[i] > 0 ? state.mass[i] : std::numeric_limits<double>::infinity();
     }
-    if (std::ranges::all_of(isHeld, [](std::uint8_t held) { return held != 0; }))
-        return;
+    for (std::uint32_t piece = 0; piece < pieces.count; ++piece)
+        m_pieceGain[body][piece] = h / m_lastStep / mass[piece] * gained[piece];
     for (std::size_t i = 0; i < state.size(); ++i)
-        if (const std::uint32_t piece = pieces.ofObject[i]; isHeld[piece] == 0)
-            m_velocity.add(m_first[body] + i, h / m_lastStep / mass[piece] * gained[piece]);
+        m_velocity.add(m_first[body] + i, m_pieceGain[body][pieces.ofObject[i]]);
+}
+
+/// Of the tool that a hand guides: between where the hand is likely to have it, and along with what it pressed on in the last step,
+/// whichever is stiffer. A tool that stays behind a stiff body that goes on, or runs ahead into it, begins the step with forces that
+/// Newton's method does not come back from.
+Vec3 ImplicitEuler::likelyVelocity(const ToolHand& hand) const
+{
+    const RigidSurface& tool = m_surfaces[hand.surface];
+    const auto press = std::ranges::find(m_presses, tool.id, &Press::tool);
+    if (press == m_presses.end())
+        return tool.velocity;
+    const auto [body, object] = press->object;
+    Vec3 along = hand.velocity;
+    if (m_bodies[body].deforms)
+        along += m_pieceGain[body][piecesOf(body).ofObject[object]];
+    return (hand.stiffness * tool.velocity + press->stiffness * along) / (hand.stiffness + press->stiffness);
+}
+
+void ImplicitEuler::notePresses(const std::vector<ContactTangent>& tangents, double h)
+{
+    m_presses.clear();
+    for (const ToolHand& hand : m_hands) {
+        Press press{.tool = m_surfaces[hand.surface].id, .object = {}};
+        for (const ContactTangent& tangent : tangents) {
+            if (tangent.second || tangent.surface != hand.surface)
+                continue;
+            press.stiffness += tangent.normal.dot(tangent.resistance * tangent.normal) / h;
+            if (const double force = tangent.force.norm(); force > press.hardest) {
+                press.hardest = force;
+                press.object = tangent.first;
+            }
+        }
+        if (press.hardest > 0)
+            m_presses.push_back(press);
+    }
 }
 
 void ImplicitEuler::weighPieces()
@@ -116,7 +150,7 @@ void ImplicitEuler::rememberStart(double h)
         }
     }
     for (std::size_t n = 0; n < m_handRow.size(); ++n) {
-        m_velocity.set(m_handRow[n], n < m_hands.size() ? m_surfaces[m_hands[n].surface].velocity : Vec3::Zero());
+        m_velocity.set(m_handRow[n], n < m_hands.size() ? likelyVelocity(m_hands[n]) : Vec3::Zero());
         m_velocity.set(m_handRow[n] + 1, Vec3::Zero());
     }
 }
@@ -307,6 +341,7 @@ void ImplicitEuler::undo()
         if (m_startMotion[b])
             *m_bodies[b].rigid = *m_startMotion[b];
     }
+    m_presses = m_pressesThen;
 }
 
 ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::vector<RigidSurface> surfaces,
@@ -316,6 +351,7 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::vector<RigidS
     m_surfaces = std::move(surfaces);
     m_hands = std::move(hands);
     rememberStart(h);
+    m_pressesThen = m_presses;
     m_lastStep = h;
     contacts.beginStep(m_surfaces, h);
     m_touched.clear();

@@ -96,6 +96,8 @@ private:
     void searchLine(const VectorArray& start, const std::function<void()>& look);
     void noteTouched(const std::vector<ContactTangent>& tangents);
     void guess(std::size_t body, double h);
+    Vec3 likelyVelocity(const ToolHand& hand) const;
+    void notePresses(const std::vector<ContactTangent>& tangents, double h);
     void rememberStart(double h);
     void weighPieces();
     double massAround(const ObjectRef& object) const;
@@ -136,8 +138,17 @@ private:
     std::vector<std::size_t> m_rigidIndex;
     std::vector<std::size_t> m_handRow; ///< per hand: that of its tool's velocity
     std::vector<std::size_t> m_handIndex;
-    std::vector<RigidSurface> m_surfaces;                       ///< of the last trial
-    std::vector<ToolHand> m_hands;                              ///< of the step
+    std::vector<RigidSurface> m_surfaces; ///< of the last trial
+    std::vector<ToolHand> m_hands;        ///< of the step
+    /// What the tool of a hand pressed on at the end of a step.
+    struct Press {
+        std::uint32_t tool = 0; ///< its id
+        ObjectRef object;       ///< pushed hardest
+        double hardest = 0;     ///< by so much [N]
+        double stiffness = 0;   ///< of all its contacts along their normals [N/m]
+    };
+    std::vector<Press> m_presses;                               ///< of the last step
+    std::vector<Press> m_pressesThen;                           ///< of the one before
     Vec3 m_gravity = Vec3::Zero();                              ///< of the step [m/s^2]
     double m_mass = 0;                                          ///< of all bodies [kg]
     double m_spacing = std::numeric_limits<double>::infinity(); ///< the smallest [m]
@@ -151,6 +162,7 @@ private:
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
     std::vector<Pieces> m_whole;                           ///< of bodies that tell of no pieces
     std::vector<std::vector<double>> m_pieceMass;          ///< per body and piece; infinite where it is held [kg]
+    std::vector<std::vector<Vec3>> m_pieceGain;            ///< the same: of velocity, that is likely in the step [m/s]
     double m_startEnergy = 0;                              ///< stored at the start, less what broke since [J]
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;

@@ -154,8 +154,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             measure(lack, tangents, h, isFirst);
             isBalanced = lack.isSmall && (isLast || lackOfWholes(tangents, h) <= 1);
         }
-        if (isLast) // of what a hand pushes at its limit shorter steps find no more
-            report.isWhole = !m_hands.empty() || lackOfWholes(tangents, h, newton.leastGain) <= 1;
+        if (isLast)
+            report.isWhole = lackOfWholes(tangents, h, newton.leastGain) <= 1;
         step.clings = false;
         if (isBalanced && report.contacts.clinging > 0) {
             look();
@@ -199,6 +199,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
         searchLine(m_scratch, look);
     }
     m_wasBalanced = report.newtonIterations == 0;
+    notePresses(report.contacts.tangents, h);
     account(report, h);
     return report;
 }

@@ -13,12 +13,13 @@ namespace knead {
 /// The tool has no mass: at the end of a step f balances what the material does to it. So a tool at its limit goes along with the
 /// material, and follows the hand where nothing is in the way; below its limit it comes to where the hand is.
 struct ToolHand {
-    std::uint32_t surface = 0; ///< index of the tool among the rigid surfaces
-    Vec3 from = Vec3::Zero();  ///< center at the start of the step [m]
-    Vec3 goal = Vec3::Zero();  ///< g, at its end [m]
-    Vec3 push = Vec3::Zero();  ///< p, no more than the limit [N]
-    double limit = 0;          ///< > 0 [N]
-    double stiffness = 0;      ///< k, > 0 [N/m]
+    std::uint32_t surface = 0;    ///< index of the tool among the rigid surfaces
+    Vec3 from = Vec3::Zero();     ///< center at the start of the step [m]
+    Vec3 goal = Vec3::Zero();     ///< g, at its end [m]
+    Vec3 push = Vec3::Zero();     ///< p, no more than the limit [N]
+    Vec3 velocity = Vec3::Zero(); ///< of the tool at the start of the step [m/s]
+    double limit = 0;             ///< > 0 [N]
+    double stiffness = 0;         ///< k, > 0 [N/m]
 
     /// f with the center at `place` [N].
     Vec3 forceAt(const Vec3& place) const { return grip(place) * wantedAt(place); }

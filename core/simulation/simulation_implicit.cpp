@@ -209,6 +209,7 @@ std::vector<ToolHand> Simulation::State::beginHands()
                              .from = manipulator.pose.position,
                              .goal = next.position,
                              .push = -std::min(1.0, manipulator.forceLimit / tool->force.norm()) * tool->force,
+                             .velocity = tool->velocity,
                              .limit = manipulator.forceLimit,
                              .stiffness = handStiffness(manipulator)});
         if (!isStalled(*tool, way))

@@ -141,6 +141,62 @@ private slots:
         QVERIFY(std::abs(tool.pose.position.x() - ball.pose.position.x()) < 1e-9);
     }
 
+    /// The tool of a weak hand goes along with a stiff block: as Coulomb has it the block stands still, or comes to the speed of the
+    /// hand over v^2 / 2 a with a = (s - u) g, where the hand may push with s times the weight. In steps that are long.
+    void stiffBlockOnAFloorIsPushedAsTheLimitHasIt_data()
+    {
+        QTest::addColumn<double>("modulus");
+        QTest::addColumn<double>("share");
+        for (const double modulus : {2e9, 2e11})
+            for (const double share : {0.3, 0.6, 1.0, 1.5, 5.0})
+                QTest::addRow("%g Pa, %g of the weight", modulus, share) << modulus << share;
+    }
+
+    void stiffBlockOnAFloorIsPushedAsTheLimitHasIt()
+    {
+        QFETCH(const double, modulus);
+        QFETCH(const double, share);
+        constexpr double friction = 0.4;
+        constexpr double gap = 1e-4; // [m]
+        constexpr double speed = 0.04;
+        constexpr double gravity = 9.81;
+        const double size = 6 * spacing;
+        const double weight = 7850 * size * size * size * gravity;
+        Scene scene;
+        scene.bodies.push_back(
+            scenes::box({6, 6, 6}, spacing,
+                        {.density = 7850, .youngsModulus = modulus, .poissonRatio = 0.3, .friction = friction}));
+        scene.gravity = Vec3(0, 0, -gravity);
+        scene.floorHeight = -size / 2;
+        scene.floorFriction = friction;
+        scene.integrator = Integrator::implicitEuler;
+        Manipulator pusher{.name = "pusher", .size = Vec3::Constant(0.02), .friction = 0};
+        pusher.pose.position.x() = -size / 2 - 0.01 - gap;
+        pusher.forceLimit = share * weight;
+        pusher.motion = DriveAt{Vec3(speed, 0, 0), Vec3::Zero()};
+        scene.manipulators.push_back(pusher);
+        Simulation simulation(scene);
+        const auto start = simulation.snapshot();
+        runFor(simulation, 0.4);
+        simulation.snapshot(); // forces are means since the last one
+        runFor(simulation, 0.1);
+        const auto end = simulation.snapshot();
+        QVERIFY(simulation.health().ok);
+        const double way = scenes::meanPosition(*end).x() - scenes::meanPosition(*start).x();
+        const double force = -end->tools[0].force.x() / weight;
+        const double lost = share > friction ? speed * speed / (2 * (share - friction) * gravity) : 0;
+        const double expected = share > friction ? speed * simulation.time() - gap - lost : 0;
+        const QByteArray said = QStringLiteral("%1 mm, %2 expected; %3 of the weight; %4 steps")
+                                    .arg(1e3 * way)
+                                    .arg(1e3 * expected)
+                                    .arg(force)
+                                    .arg(end->step)
+                                    .toUtf8();
+        QVERIFY2(std::abs(way - expected) < (share > friction ? 0.1 * spacing : 1e-3 * spacing), said.constData());
+        QVERIFY2(std::abs(force / std::min(share, friction) - 1) < 0.02, said.constData());
+        QVERIFY2(end->step < 150, said.constData());
+    }
+
     /// A hand is ahead of its tool by no more than a fiftieth of a spacing, and does not lose that again with each step.
     void toolBelowItsLimitGoesWhereItsHandGoes()
     {
