@@ -154,7 +154,7 @@ private:
         stage("compared");
         auto* dialog = find<QDialog>("comparisonDialog");
         dialog->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(dialog));
+        QTRY_VERIFY(dialog->isActiveWindow());
         QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Close), Qt::LeftButton);
         QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
         comeBack();

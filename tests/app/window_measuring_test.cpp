@@ -241,7 +241,7 @@ private slots:
         }
         picture("compare-shown");
         find<QDialog>("comparisonDialog")->activateWindow(); // there may be no window manager that does it
-        QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
+        QTRY_VERIFY(find<QDialog>("comparisonDialog")->isActiveWindow());
         QTest::keyClick(find<QDialog>("comparisonDialog"), Qt::Key_Escape);
         QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
 
@@ -315,7 +315,7 @@ private slots:
         action("compareWithOriginal")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
         find<QDialog>("comparisonDialog")->activateWindow(); // there may be no window manager that does it
-        QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
+        QTRY_VERIFY(find<QDialog>("comparisonDialog")->isActiveWindow());
         QTest::keyClick(find<QDialog>("comparisonDialog"), Qt::Key_Escape);
         QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
         m_window->activateWindow();

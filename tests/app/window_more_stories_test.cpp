@@ -319,7 +319,7 @@ private slots:
         press(Qt::Key_E, Qt::ControlModifier);
         QTRY_VERIFY(find<QDialog>("exportDialog") != nullptr && find<QDialog>("exportDialog")->isVisible());
         find<QDialog>("exportDialog")->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("exportDialog")));
+        QTRY_VERIFY(find<QDialog>("exportDialog")->isActiveWindow());
         QTRY_VERIFY(find<QDialog>("exportDialog")->isAncestorOf(QApplication::focusWidget()));
         stage("export-dialog");
         press(Qt::Key_Return);

@@ -281,7 +281,7 @@ private slots:
         m_window->features().otherPart->askAbout(larger);
         auto* dialog = find<QDialog>("otherPartOptions");
         QVERIFY(dialog != nullptr && !find<QLineEdit>("otherPartFactor")->isEnabled());
-        QVERIFY(QTest::qWaitForWindowActive(dialog, patience));
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), patience);
         find<QComboBox>("otherPartMirror")->setCurrentIndex(2);
         find<QComboBox>("otherPartSize")->setCurrentIndex(2);
         QVERIFY(find<QLineEdit>("otherPartFactor")->isEnabled());
