@@ -27,7 +27,7 @@ struct RigidSurface {
     Pose poseBefore(double duration) const;
 };
 
-/// The same for many places: its rotation as a matrix, which turns a place in half the time of a quaternion.
+/// The same for many places: its rotation is made a matrix once, and not a quaternion for each of them.
 class PlacedSurface {
 public:
     explicit PlacedSurface(const RigidSurface& surface); ///< which stays where it is meanwhile
