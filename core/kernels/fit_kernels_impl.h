@@ -30,11 +30,6 @@ KNEAD_INLINE double sumOf(const Lanes& numbers)
     return ((n[0] + n[4]) + (n[2] + n[6])) + ((n[1] + n[5]) + (n[3] + n[7]));
 }
 
-KNEAD_INLINE Lanes absolute(const Lanes& numbers)
-{
-    return larger(numbers, -numbers);
-}
-
 double lookAround(std::size_t count, const float* const (&steps)[3], const double (&point)[3],
                   double* const (&place)[3], double* distance)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/kernels/contact_kernels.h"
 #include "core/kernels/fit_kernels.h"
 #include "core/kernels/lattice_kernels.h"
 #include "core/kernels/sphere_kernels.h"
@@ -12,7 +13,7 @@
 namespace knead::kernels {
 
 /// All kernels of one instruction set.
-struct Kernels : LatticeKernels, TangentKernels, sphere_kernels::SphereKernels, FitKernels {
+struct Kernels : LatticeKernels, TangentKernels, sphere_kernels::SphereKernels, FitKernels, ContactKernels {
     const char* name; ///< "x86-64", "AVX2", "AVX-512"
 };
 

@@ -5,6 +5,7 @@
 // arrays for the compiler to check that itself.
 #pragma once
 
+#include "core/kernels/contact_kernels_impl.h"
 #include "core/kernels/fit_kernels_impl.h"
 #include "core/kernels/kernels.h"
 #include "core/kernels/lattice_kernels_impl.h"
@@ -21,6 +22,7 @@ const Kernels set{{addForces, volumetricStress, tensorLaw, hyperelasticLaw, defo
                    leftAfterSweep, sweepBack},
                   {sphere_kernels::KNEAD_KERNEL_SET::findPartners},
                   {lookAround, content, moments, functions},
+                  {gatherPoints, nearestOfForm, contactLaw, scatterEffects},
                   KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

@@ -276,6 +276,10 @@ KNEAD_INLINE Lanes smaller(const Lanes& a, const Lanes& b)
 {
     return choose(a < b, a, b);
 }
+KNEAD_INLINE Lanes absolute(const Lanes& numbers)
+{
+    return larger(numbers, -numbers);
+}
 KNEAD_INLINE bool anyBeyond(const Lanes& values, double limit)
 {
     return any(values > all(limit));

@@ -1,5 +1,7 @@
 #include "core/mechanics/contact_law.h"
 
+#include "core/kernels/contact_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +14,6 @@ double harmonicMean(double a, double b)
     return a + b > 0 ? 2 * a * b / (a + b) : 0;
 }
 
-// Speed that a contact may give in an explicit step, by what takes its end out of the overlap in one, but no more of that than bears
-// the largest pressures: a sound step stays below.
-constexpr double mostTurned = 1.5;
-
 // Friction forgets the pressure of ends that parted so many times later than it follows it.
 constexpr double keptFor = 20;
 
@@ -26,13 +24,6 @@ constexpr double slipShare = 0.9;
 bool followsLate(const ContactParameters& parameters, const ContactStep& step)
 {
     return !step.isImplicit() && parameters.frictionDelay > 0;
-}
-
-double frictionPressure(double before, double normalForce, const ContactParameters& parameters, const ContactStep& step)
-{
-    if (!followsLate(parameters, step))
-        return normalForce;
-    return normalForce + (before - normalForce) * std::exp(-step.duration / parameters.frictionDelay);
 }
 
 /// Of ends that are apart and stick: the spring yields at the adhesion.
@@ -75,11 +66,19 @@ ContactSpring contactSpring(double overlap, const ContactParameters& parameters,
     return springUpTo(parameters.steepest, overlap, parameters, sticks);
 }
 
+double pressureKept(const ContactParameters& parameters, const ContactStep& step)
+{
+    return followsLate(parameters, step) ? std::exp(-step.duration / parameters.frictionDelay) : 0;
+}
+
+double pressureKeptApart(const ContactParameters& parameters, const ContactStep& step)
+{
+    return followsLate(parameters, step) ? std::exp(-step.duration / (keptFor * parameters.frictionDelay)) : 0;
+}
+
 FrictionMemory parted(const FrictionMemory& memory, const ContactParameters& parameters, const ContactStep& step)
 {
-    if (!followsLate(parameters, step) || memory.pressure == 0)
-        return {};
-    return {.pressure = memory.pressure * std::exp(-step.duration / (keptFor * parameters.frictionDelay))};
+    return {.pressure = memory.pressure == 0 ? 0 : memory.pressure * pressureKeptApart(parameters, step)};
 }
 
 /// Of ends that are apart and hold on to each other: a spring as stiff as that of the deepest contact of the last step.
@@ -116,7 +115,7 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     if (!step.isImplicit() && parameters.mass > 0 && state.overlap > 0) {
         const double turned =
             std::min(state.overlap, parameters.steepest) / step.duration + std::max(0.0, -normalSpeed);
-        normalForce = std::min(normalForce, mostTurned * parameters.mass * turned / step.duration);
+        normalForce = std::min(normalForce, kernels::mostTurned * parameters.mass * turned / step.duration);
     }
     result.spring = spring.force * state.normal;
     result.damping = (normalForce - spring.force) * state.normal;
@@ -130,7 +129,7 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     const Vec3 held = before - before.dot(state.normal) * state.normal + sideways * slide;
     const Vec3 sticking = held + parameters.damping * slide;
     const double wanted = sticking.norm();
-    result.memory.pressure = frictionPressure(state.memory.pressure, normalForce, parameters, step);
+    result.memory.pressure = normalForce + (state.memory.pressure - normalForce) * pressureKept(parameters, step);
     result.memory.sticks = sticks;
     const double limit = parameters.friction * std::max(0.0, result.memory.pressure + adhesion);
     const double grip = wanted > limit ? limit / wanted : 1; // 1 sticks, less slips

@@ -111,6 +111,11 @@ struct ContactResult {
 /// stay. Implicit steps are long and damp that away: there F_P = F_N.
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step);
 
+/// Share of the pressure before in the one that friction goes by after a step, exp(-dt / t); 0 in implicit steps and without delay.
+/// The second is that of ends that are apart, see parted().
+double pressureKept(const ContactParameters& parameters, const ContactStep& step);
+double pressureKeptApart(const ContactParameters& parameters, const ContactStep& step);
+
 /// What friction remembers of ends that are apart: the pressure, nearly as it was. An elastic body that slides rattles; as F_P stands
 /// still while it is in the air, the friction of many short touches is u times their mean normal force. With a pressure that begins at
 /// 0 in each touch it would be less, by a fifth for a block of soft rubber.

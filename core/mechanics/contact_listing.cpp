@@ -10,6 +10,8 @@ namespace {
 
 // Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
 constexpr double marginShare = 0.5;
+// The same for points near surfaces, where one that does not touch takes little.
+constexpr double surfaceMarginShare = 1.5;
 // So much further for steps of the implicit scheme.
 constexpr double aheadShare = 1;
 // A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due
@@ -30,7 +32,13 @@ void ContactListing::setScheme(std::span<const ContactBody> bodies, bool isImpli
     for (const ContactBody& body : bodies)
         if (isImplicit)
             m_ahead = std::max(m_ahead, aheadShare * body.spacing());
+    m_isImplicit = isImplicit;
     m_valid = false;
+}
+
+void ContactListing::lookAhead(bool takesLittle)
+{
+    m_surfaceMargin = takesLittle && !m_isImplicit ? surfaceMarginShare / marginShare * m_margin : m_margin;
 }
 
 void ContactListing::move(double travel, double surfaceTravel)
@@ -62,7 +70,7 @@ void ContactListing::listedPairs(const ContactObjects& objects)
 
 bool ContactListing::areSurfacesDue(std::size_t surfaces) const
 {
-    return !m_valid || m_travelToSurfaces > m_margin || surfaces != m_surfaceCount;
+    return !m_valid || m_travelToSurfaces > m_surfaceMargin || surfaces != m_surfaceCount;
 }
 
 void ContactListing::listedSurfaces(std::size_t surfaces)

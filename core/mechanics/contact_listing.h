@@ -12,8 +12,9 @@ class ContactListing {
 public:
     explicit ContactListing(std::span<const ContactBody> bodies);
 
-    double reach() const { return m_margin + m_ahead; } ///< candidates are listed up to here [m]
-    std::size_t count() const { return m_count; }       ///< of listings of pairs, so far
+    double reach() const { return m_margin + m_ahead; }                  ///< candidates are listed up to here [m]
+    double reachOfSurfaces() const { return m_surfaceMargin + m_ahead; } ///< the same of points near surfaces [m]
+    std::size_t count() const { return m_count; }                        ///< of listings of pairs, so far
 
     /// Steps of the implicit scheme bring together what is further apart: they list it earlier.
     void setScheme(std::span<const ContactBody> bodies, bool isImplicit);
@@ -29,6 +30,9 @@ public:
     bool arePairsDue(const ContactObjects& objects, KeptLengths& kept);
     void listedPairs(const ContactObjects& objects);
 
+    /// How far ahead points near surfaces are listed next: further in explicit steps where those that do not touch take little.
+    void lookAhead(bool takesLittle);
+
     /// Whether what is near surfaces is due. @param surfaces how many there are @pre pairs are listed
     bool areSurfacesDue(std::size_t surfaces) const;
     void listedSurfaces(std::size_t surfaces);
@@ -39,12 +43,14 @@ private:
     double travelTowardsOthers(const ContactObjects& objects) const;
 
     double m_margin = 0;            ///< [m]
+    double m_surfaceMargin = 0;     ///< with which what is near surfaces was listed [m]
     double m_ahead = 0;             ///< candidates are listed so much earlier than they can touch [m]
     std::vector<Vec3> m_listedAt;   ///< per contact object: its place when pairs were listed [m]
     double m_travel = 0;            ///< of objects towards each other since then, at most [m]
     double m_travelToSurfaces = 0;  ///< of objects and surfaces since those were listed, at most [m]
     std::size_t m_surfaceCount = 0; ///< when those were listed
     std::size_t m_count = 0;
+    bool m_isImplicit = false;
     bool m_valid = false;
 };
 

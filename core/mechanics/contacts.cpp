@@ -132,8 +132,9 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
     if (m_listing.arePairsDue(m_objects, m_kept))
         listPairs(surfaces);
     if (m_listing.areSurfacesDue(surfaces.size())) {
-        m_surfaceContacts.list(m_objects.bodies(), surfaces, m_listing.reach());
-        m_edges.list(m_objects.bodies(), surfaces, m_listing.reach());
+        m_listing.lookAhead(std::all_of(surfaces.begin(), surfaces.end(), ContactBatch::takesLittle));
+        m_surfaceContacts.list(m_objects.bodies(), surfaces, m_listing.reachOfSurfaces());
+        m_edges.list(m_objects.bodies(), surfaces, m_listing.reachOfSurfaces());
         m_listing.listedSurfaces(surfaces.size());
     }
     m_listing.end();

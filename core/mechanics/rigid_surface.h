@@ -35,6 +35,7 @@ public:
 
     const RigidSurface& operator*() const { return m_surface; }
     const RigidSurface* operator->() const { return &m_surface; }
+    const Mat3& rotation() const { return m_rotation; } ///< local axes to the world's
     Vec3 toLocal(const Vec3& direction) const { return m_rotation.transpose() * direction; }
     Vec3 toWorld(const Vec3& direction) const { return m_rotation * direction; }
     Vec3 placeIn(const Vec3& place) const { return toLocal(place - m_surface.pose.position); }

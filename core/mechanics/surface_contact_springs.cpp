@@ -126,6 +126,7 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
         point.adhesionReach = adhesionReach * a;
         point.pushSpeed = point.isLoose ? 0 : pushShare * material.soundSpeed();
     }
+    forgetSorting();
 }
 
 } // namespace knead

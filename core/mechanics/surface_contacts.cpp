@@ -18,6 +18,9 @@ constexpr double sameSide = 0.7;
 // What is deeper than this did not get there by touching [spacings].
 constexpr double mostTouching = 0.2;
 
+// Once more than this part of the points that were special is so no longer, they are sorted anew.
+constexpr std::size_t resortShare = 8;
+
 // In a long step no more of what is kept is let out than this share, or this much, by the width of what the point stands for.
 constexpr double mostAtOnce = 0.25;
 constexpr double leastAtOnce = 0.03;
@@ -79,6 +82,7 @@ bool SurfaceContacts::waitsForEdge(Near& near, const Point& point, const PlacedS
 void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                 double duration)
 {
+    forgetSorting();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         RigidSurface moved = surfaces[s];
         moved.pose = surfaces[s].poseBefore(duration);
@@ -110,6 +114,7 @@ SurfacePoint SurfaceContacts::nearest(const Near& near, const PlacedSurface& sur
 
 void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces)
 {
+    forgetSorting();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         const PlacedSurface surface(surfaces[s]);
         for (Near& near : m_near[s]) {
@@ -125,21 +130,26 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
     }
 }
 
-/// Ends of broken connections keep how deep they are, and wait for nothing.
+/// Ends of broken connections keep how deep they are, and wait for nothing; what is held in a tool waits for that.
 bool SurfaceContacts::isWaiting() const
 {
     return std::any_of(m_near.begin(), m_near.end(), [this](const std::vector<Near>& ofSurface) {
-        return std::any_of(ofSurface.begin(), ofSurface.end(),
-                           [this](const Near& near) { return near.kept > 0 && !m_points[near.point].isLoose; });
+        return std::any_of(ofSurface.begin(), ofSurface.end(), [this](const Near& near) {
+            return near.kept > 0 && !near.isHeld && !m_points[near.point].isLoose;
+        });
     });
 }
 
-/// Less of what is kept, by the time that has passed. @return energy that comes in with that [J]
-double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const
+/// Less of what is kept, by the time that has passed, but what does not come out for that is not pressed ever harder: in the middle of
+/// a tool it would be held, and shot out in the end. @param spacing of the body [m] @return energy that comes in with that [J]
+double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, double spacing,
+                               const ContactStep& step) const
 {
     const double stored = contactSpring(overlap - near.kept, point.parameters).energy;
     const double atOnce = std::max(leastAtOnce * std::sqrt(point.area), mostAtOnce * near.kept);
-    const double pushed = std::min({near.kept, point.pushSpeed * step.duration, atOnce});
+    const double wanted = std::min({near.kept, point.pushSpeed * step.duration, atOnce});
+    const double pushed = std::clamp(mostTouching * spacing - (overlap - near.kept), 0.0, wanted);
+    near.isHeld = pushed < wanted;
     near.kept = std::min(near.kept - pushed, std::max(0.0, overlap)); // what comes out by itself is not pushed
     const ContactSpring spring = contactSpring(overlap - near.kept, point.parameters);
     const double last = near.pressed;
@@ -161,7 +171,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const PlacedSur
     const SurfacePoint nearest = SurfaceContacts::nearest(near, surface, place);
     const double depth = point.reach - nearest.distance;
     if (near.kept > 0 && !step.isTrial)
-        report.placed += letOut(near, point, depth, step);
+        report.placed += letOut(near, point, depth, body.spacing(), step);
     if (step.isBalance)
         near.kept = near.pressed = 0;
     const double kept = step.isStatic ? 0 : near.kept;
@@ -213,19 +223,73 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const PlacedSur
                                    .drag = result.drag});
 }
 
+/// Whether the law of a point is that of ContactBatch.
+bool SurfaceContacts::isPlain(const Near& near, const RigidSurface& surface) const
+{
+    const bool sticks = near.friction.sticks || (surface.adhesion > 0 && m_points[near.point].isSkin);
+    return !sticks && near.kept == 0 && near.side == 0 && near.normal.isZero(0);
+}
+
+/// And what friction remembers is with the points again.
+void SurfaceContacts::forgetSorting()
+{
+    for (Sorted& sorted : m_sorted) {
+        sorted.batch.writeBack();
+        sorted = {};
+    }
+}
+
+void SurfaceContacts::sortOut(std::span<const ContactBody> bodies, std::uint32_t index, const RigidSurface& surface)
+{
+    Sorted& sorted = m_sorted[index];
+    sorted.batch.writeBack();
+    sorted = {.isCurrent = true, .friction = surface.friction, .adhesion = surface.adhesion, .batch = {}, .others = {}};
+    std::vector<ContactBatch::Point> plain;
+    for (std::uint32_t n = 0; n < m_near[index].size(); ++n) {
+        Near& near = m_near[index][n];
+        const Point& point = m_points[near.point];
+        if (!point.isActive)
+            continue;
+        if (isPlain(near, surface))
+            plain.push_back({.body = point.body,
+                             .spread = &point.spread,
+                             .reach = point.reach,
+                             .parameters = parametersOf(point, surface),
+                             .friction = &near.friction});
+        else
+            sorted.others.push_back(n);
+    }
+    sorted.batch = ContactBatch(bodies, plain);
+}
+
 void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                     const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
-    std::size_t most = 0;
-    for (const std::vector<Near>& near : m_near)
-        most += near.size();
-    if (!step.isTrial)
-        report.frictions.reserve(report.frictions.size() + most);
+    const bool isExplicit = !step.isTrial && !step.isImplicit();
+    if (!isExplicit)
+        forgetSorting();
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const PlacedSurface surface(surfaces[s]);
-        for (Near& near : m_near[s])
+        const auto pressAlone = [&](Near& near) {
             if (m_points[near.point].isActive)
                 press(bodies[m_points[near.point].body], near, surface, s, step, crowd, report);
+        };
+        if (!isExplicit) {
+            std::for_each(m_near[s].begin(), m_near[s].end(), pressAlone);
+            continue;
+        }
+        Sorted& sorted = m_sorted[s];
+        if (!sorted.isCurrent || sorted.friction != surface->friction || sorted.adhesion != surface->adhesion)
+            sortOut(bodies, s, surfaces[s]);
+        sorted.batch.press(bodies, surface, step, crowd, report.loads[s], report);
+        std::size_t plain = 0;
+        for (const std::uint32_t n : sorted.others) {
+            Near& near = m_near[s][n];
+            pressAlone(near);
+            plain += isPlain(near, surfaces[s]) ? 1 : 0;
+        }
+        if (plain * resortShare > sorted.others.size()) // they have come out
+            sorted.isCurrent = false;
     }
 }
 

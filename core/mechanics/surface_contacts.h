@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mechanics/contact_batch.h"
 #include "core/mechanics/contact_body.h"
 #include "core/mechanics/contact_crowd.h"
 #include "core/mechanics/contact_report.h"
@@ -35,6 +36,7 @@ public:
         double pressed = 0;      ///< force of its spring in the last step, while something is kept [N]
         std::int8_t side = 0;    ///< of a knife that cuts its material: 1, -1; 0: none does
     };
+    /// By one thread at a time: it lets friction that is remembered in columns go back to the points first.
     std::vector<Touch> memory() const;
     void restore(std::vector<Touch> touches) { m_remembered = std::move(touches); }
 
@@ -101,6 +103,7 @@ private:
         FrictionMemory friction;
         double kept = 0;
         double pressed = 0;
+        bool isHeld = false;        ///< keeps it, since it does not come out
         Vec3 foot = Vec3::Zero();   ///< of the surface, nearest to the point when the step began, in its frame [m]
         Vec3 normal = Vec3::Zero(); ///< there; 0 where that is not known
         std::int8_t side = 0;       ///< of a knife that cuts its material: 1, -1; 0: none does
@@ -116,11 +119,24 @@ private:
                const ContactStep& step, ContactCrowd& crowd, ContactReport& report);
     double energyOf(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                     const std::vector<std::uint8_t>& ofPoint) const;
-    double letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const;
+    bool isPlain(const Near& near, const RigidSurface& surface) const;
+    void forgetSorting();
+    void sortOut(std::span<const ContactBody> bodies, std::uint32_t index, const RigidSurface& surface);
+    double letOut(Near& near, const Point& point, double overlap, double spacing, const ContactStep& step) const;
+
+    /// The points near a surface in explicit steps.
+    struct Sorted {
+        bool isCurrent = false;
+        double friction = 0; ///< of the surface that it is for
+        double adhesion = 0;
+        ContactBatch batch;
+        std::vector<std::uint32_t> others; ///< that are pressed one after the other, into m_near
+    };
 
     std::vector<double> m_widths;          ///< of bodies, 4 V / A [m]
     std::vector<Point> m_points;           ///< of all bodies, body after body, then the ends of broken connections
     std::vector<std::vector<Near>> m_near; ///< per surface
+    std::vector<Sorted> m_sorted;          ///< the same
     std::vector<std::uint32_t> m_listed;   ///< ids of those surfaces
     std::vector<Touch> m_remembered;       ///< of a moment, for the next list
 };

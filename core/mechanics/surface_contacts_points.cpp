@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <tuple>
 
 namespace knead {
@@ -64,7 +64,13 @@ void SurfaceContacts::addPoints(const ContactBody& body, std::uint32_t index)
                       .area = aggregate.skin[p].area,
                       .isSkin = true,
                       .parameters = {}});
-    const bool hasSkin = !m_points.empty() && m_points.back().body == index; // that belongs to its lattice
+    // What the same objects carry stays together.
+    const auto first =
+        std::find_if(m_points.begin(), m_points.end(), [&](const Point& point) { return point.body == index; });
+    std::stable_sort(first, m_points.end(), [](const Point& one, const Point& other) {
+        return std::tie(one.spread.count, one.spread.objects) < std::tie(other.spread.count, other.spread.objects);
+    });
+    const bool hasSkin = first != m_points.end(); // that belongs to its lattice
     for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
         const double depth = aggregate.depth[i];
         const bool touches = hasSkin ? depth > shallowest * a && depth < deepestLayer * a : depth < skinDepth * a;
@@ -114,6 +120,7 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
         }
     }
     const double released = energyOf(bodies, surfaces, torn);
+    forgetSorting();
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (const ObjectIndex end : ends)
@@ -131,6 +138,8 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
 
 std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
 {
+    for (const Sorted& sorted : m_sorted)
+        sorted.batch.writeBack();
     std::vector<Touch> touches = m_remembered;
     for (std::size_t s = 0; s < m_near.size(); ++s)
         for (const Near& near : m_near[s])
@@ -147,12 +156,14 @@ std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
 
 void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces, double margin)
 {
-    using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
-    std::map<Key, Touch> before;
-    for (const Touch& touch : memory())
-        before.insert_or_assign({touch.surface, touch.body, touch.point}, touch);
+    const auto keyOf = [](const Touch& touch) { return std::tie(touch.surface, touch.body, touch.point); };
+    const auto isBefore = [&](const Touch& one, const Touch& other) { return keyOf(one) < keyOf(other); };
+    std::vector<Touch> before = memory();
+    std::stable_sort(before.begin(), before.end(), isBefore); // the last of equals is the latest
     m_remembered.clear();
     m_near.assign(surfaces.size(), {});
+    m_sorted.clear();
+    m_sorted.resize(surfaces.size());
     m_listed.clear();
     double largestReach = 0;
     for (const ContactBody& body : bodies)
@@ -170,15 +181,17 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             if (!box.contains(place) || isCutByWire(body.materialOf(point.spread.main()), surfaces[s]))
                 continue;
             Near near{.point = p, .side = sideOf(point, body, surfaces[s])};
-            const auto found = before.find({surfaces[s].id, point.body, point.number});
-            const bool isKnown = found != before.end();
-            if (isKnown) {
-                near.friction = found->second.friction;
-                near.kept = found->second.kept;
-                near.pressed = found->second.pressed;
+            const Touch key{.surface = surfaces[s].id, .body = point.body, .point = point.number, .friction = {}};
+            const auto behind = std::upper_bound(before.begin(), before.end(), key, isBefore);
+            const Touch* const known =
+                behind != before.begin() && keyOf(*std::prev(behind)) == keyOf(key) ? &*std::prev(behind) : nullptr;
+            if (known != nullptr) {
+                near.friction = known->friction;
+                near.kept = known->kept;
+                near.pressed = known->pressed;
             }
             // Seen from its other side a knife is somewhere else: what is pushed stays where it is.
-            if (isKnown ? found->second.side != near.side : point.isNew)
+            if (known != nullptr ? known->side != near.side : point.isNew)
                 near.kept = std::max(0.0, point.reach - nearest(near, placed, place).distance);
             m_near[s].push_back(near);
         }
