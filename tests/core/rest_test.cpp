@@ -58,6 +58,21 @@ class RestTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What goes out of it on neither side is held, and waits for nothing.
+    void aPlateAcrossTheMiddleComesToRest()
+    {
+        Scene scene = standing();
+        Manipulator plate{.name = "plate", .size = Vec3(0.03, 0.03, 2 * spacing)};
+        plate.motion = HoldStill{};
+        scene.manipulators.push_back(plate);
+        Simulation simulation(scene);
+        runFor(simulation, 4);
+        const auto shot = simulation.snapshot();
+        QVERIFY(shot->rest > 0);
+        QVERIFY(shot->penetration > 0.5); // and it is said
+        QVERIFY(shot->energy.imbalanceShare() < 0.01);
+    }
+
     void whatHasComeToRestStays()
     {
         Simulation simulation(standing());
