@@ -41,8 +41,7 @@ enum class SurfaceForm { floor, box, ball, cylinder };
 
 struct PlacedForm {
     SurfaceForm form;
-    double half
-        [3]; ///< edges by two; x is the radius of a ball, and that of a cylinder along z, half[2] its half length [m]
+    double half[3]; ///< edges by two: [0] is the radius of balls and cylinders, [2] half the length of a cylinder [m]
     double rotation[9]; ///< by columns, local axes to the world
     double center[3];   ///< of a floor z is its height [m]
 };
@@ -64,16 +63,15 @@ struct ContactColumns {
     const double* stiffness;   ///< from here on see ContactParameters
     const double* damping;
     const double* friction;
-    const double* inverseStiffening;
+    const double* inverseStiffening; ///< 1 / d0
     const double* steepest;
     const double* mass;
     const double* largestOverlap;
-    const double*
-        kept; ///< share of the pressure before in the one that friction goes by: exp(-dt / t), 0 without delay
-    const double* keptApart; ///< the same of points that are apart
+    const double* kept;      ///< pressureKept()
+    const double* keptApart; ///< pressureKeptApart()
     double* hold[3];         ///< of FrictionMemory, in the frame of the surface [N]
     double* pressure;        ///< the same [N]
-    double* effects; ///< effectSize per point, written where any of eight touches: 0 for those of them that do not
+    double* effects;         ///< effectSize per point: written where any of eight touches, 0 for those that do not
 };
 
 /// Of all points of a stretch.

@@ -130,7 +130,7 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
     }
 }
 
-/// Ends of broken connections keep how deep they are, and wait for nothing; what is held in a tool waits for that.
+/// Ends of broken connections keep how deep they are and wait for nothing, and neither does what is held in a tool.
 bool SurfaceContacts::isWaiting() const
 {
     return std::any_of(m_near.begin(), m_near.end(), [this](const std::vector<Near>& ofSurface) {
