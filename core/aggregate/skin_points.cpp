@@ -12,13 +12,16 @@ namespace knead {
 
 namespace {
 
-// Edges of triangles are halved down to this, which leaves points about half a spacing apart [spacings].
+// Edges of triangles are halved down to this [spacings].
 constexpr double longestEdge = 0.7;
-// Of points of a finer surface, one is taken in each box so large [spacings].
-constexpr double boxSize = 0.25;
+// Of the vertices of one side in a box so large, one is taken: about four for a face of a cell, all cells alike. More is more than the eight
+// objects of a cell tell apart; other sizes give some objects more of the surface than others, which makes them softer [spacings].
+constexpr double boxSize = 0.5;
 constexpr std::size_t mostTriangles = 8'000'000;
-// Sides of a thin sheet that lie in one box are told apart: normals of one side differ by less [cosine].
-constexpr double sameSide = 0.3;
+// Normals of one side differ by less, so that edges and what lies beside them are told apart, and the sides of a thin sheet [cosine].
+constexpr double sameSide = 0.85;
+// What reaches out less than the farthest by this is as far [spacings].
+constexpr double asFar = 1e-3;
 
 struct Vertex {
     std::array<std::int32_t, 3> box{};
@@ -49,19 +52,29 @@ std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice,
     return vertices;
 }
 
-/// Of the vertices of one side in a box, the one that reaches out farthest stands for all of them.
-SkinPoint pointFor(const std::vector<Vertex>& side, const TriangleMesh& mesh)
+/// Of the vertices of one side in a box, the one that reaches out farthest stands for all of them; where several do, as on a flat face,
+/// the one in the middle of their area.
+SkinPoint pointFor(const std::vector<Vertex>& side, const TriangleMesh& mesh, double spacing)
 {
     Vec3 outward = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();
     double area = 0;
     for (const Vertex& vertex : side) {
         outward += vertex.normal;
+        moment += vertex.area * mesh.vertices[vertex.index];
         area += vertex.area;
     }
-    const auto farthest = std::ranges::max_element(side, [&](const Vertex& a, const Vertex& b) {
-        return mesh.vertices[a.index].dot(outward) < mesh.vertices[b.index].dot(outward);
-    });
-    return {mesh.vertices[farthest->index], area};
+    const Vec3 direction = outward.stableNormalized();
+    const auto reach = [&](const Vertex& vertex) { return mesh.vertices[vertex.index].dot(direction); };
+    const Vec3 middle = moment / area;
+    const auto offMiddle = [&](const Vertex& vertex) { return (mesh.vertices[vertex.index] - middle).squaredNorm(); };
+    const double farthest = reach(*std::ranges::max_element(side, {}, reach));
+    const Vertex* chosen = nullptr;
+    for (const Vertex& vertex : side)
+        if (reach(vertex) >= farthest - asFar * spacing &&
+            (chosen == nullptr || offMiddle(vertex) < offMiddle(*chosen)))
+            chosen = &vertex;
+    return {mesh.vertices[chosen->index], area};
 }
 
 } // namespace
@@ -82,7 +95,7 @@ std::vector<SkinPoint> skinPoints(const TriangleMesh& mesh, const Lattice& latti
             });
             std::vector<Vertex> next(other, rest.end());
             rest.erase(other, rest.end());
-            points.push_back(pointFor(rest, fine));
+            points.push_back(pointFor(rest, fine, lattice.spacing));
             rest = std::move(next);
         }
         begin = end;

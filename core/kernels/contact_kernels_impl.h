@@ -167,8 +167,23 @@ KNEAD_INLINE void withCount(const PointGroup& group, const With& with)
         with(group.count);
 }
 
+/// Places and velocities of eight points, one after the other, as columns of them.
+KNEAD_INLINE void storeColumns(const double* rows, double* const (&columns)[6], std::size_t first)
+{
+    Lanes block[lanes];
+#pragma GCC unroll 8
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        block[lane] = load(rows + lane * motionSize);
+    transpose(block);
+#pragma GCC unroll 6
+    for (std::size_t c = 0; c < 6; ++c)
+        store(columns[c] + first, block[c]);
+}
+
 void gatherPoints(const CarriedPoints& points, const double* motions, double* const (&columns)[6])
 {
+    double rows[lanes * motionSize]{};
+    std::size_t end = 0;
     for (std::size_t g = 0; g < points.groupCount; ++g) {
         const PointGroup& group = points.groups[g];
         withCount(
@@ -179,14 +194,15 @@ void gatherPoints(const CarriedPoints& points, const double* motions, double* co
 #pragma GCC unroll 8
                     for (std::size_t n = 0; n < count; ++n)
                         sum += all(weights[n]) * load(motions + group.objects[n] * motionSize);
-                    double numbers[motionSize];
-                    store(numbers, sum);
-#pragma GCC unroll 6
-                    for (std::size_t c = 0; c < 6; ++c)
-                        columns[c][p] = numbers[c];
+                    store(rows + p % lanes * motionSize, sum);
+                    if (p % lanes == lanes - 1)
+                        storeColumns(rows, columns, p + 1 - lanes);
                 }
             });
+        end = group.end;
     }
+    if (end % lanes != 0)
+        storeColumns(rows, columns, end / lanes * lanes);
 }
 
 void scatterEffects(const CarriedPoints& points, const double* overlap, const double* effects, double* objects)
@@ -286,27 +302,36 @@ KNEAD_INLINE void lawAt(const ContactColumns& a, std::size_t i, const Lanes& ove
 
     store(a.pressure + i, choose(touches, pressure, last * load(a.keptApart + i)));
     store(a.hold, i, masked(toLocal(a.rotation, grip * held), touches));
-    double columns[contactEffectCount][lanes];
-    const auto put = [&](std::size_t effect, const PointVectors& values) __attribute__((always_inline))
+    Lanes low[lanes]{};  // effects by columns, and in the end by points
+    Lanes high[lanes]{}; // the same, behind the first eight
+    const auto put = [&](std::size_t effect, const Lanes& values) __attribute__((always_inline))
     {
-        store(columns[effect], masked(values.x, touches));
-        store(columns[effect + 1], masked(values.y, touches));
-        store(columns[effect + 2], masked(values.z, touches));
+        (effect < lanes ? low[effect] : high[effect - lanes]) = masked(values, touches);
     };
-    put(springForce, spring.force * n);
-    put(dampingForce, (normalForce - spring.force) * n + friction);
-    put(frictionForce, friction);
-    store(columns[addedSlope], masked(spring.slope * load(a.weightSum + i), touches));
-    store(columns[storedEnergy], masked(spring.energy, touches));
-    store(columns[isTouched], masked(all(1), touches));
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-#pragma GCC unroll 12
-        for (std::size_t effect = 0; effect < contactEffectCount; ++effect)
-            a.effects[(i + lane) * effectSize + effect] = columns[effect][lane];
+    const auto putVectors = [&](std::size_t effect, const PointVectors& values) __attribute__((always_inline))
+    {
+        put(effect, values.x);
+        put(effect + 1, values.y);
+        put(effect + 2, values.z);
+    };
+    putVectors(springForce, spring.force * n);
+    putVectors(dampingForce, (normalForce - spring.force) * n + friction);
+    putVectors(frictionForce, friction);
+    put(addedSlope, spring.slope * load(a.weightSum + i));
+    put(storedEnergy, spring.energy);
+    put(isTouched, all(1));
+    transpose(low);
+    transpose(high);
+#pragma GCC unroll 8
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        store(a.effects + (i + lane) * effectSize, low[lane]);
+        store(a.effects + (i + lane) * effectSize + lanes, high[lane]);
+    }
 }
 
-ContactTotals contactLaw(const ContactColumns& a)
+ContactTotals contactLaw(const ContactColumns& columns)
 {
+    const ContactColumns a = columns; // which nothing that is stored changes
     Lanes steepness = all(0);
     Lanes touching = all(0);
     for (std::size_t i = 0; i < a.count; i += lanes) {

@@ -226,6 +226,53 @@ KNEAD_INLINE void write(double* to, const Pair<double, Half>& numbers)
     write(to + lanesOf<Half>, numbers.high);
 }
 
+/// A stage of transpose(): blocks of `block` rows and columns beside the diagonal change places.
+template <std::size_t block>
+KNEAD_INLINE void transposeBlocks(Register<double>::Type* rows)
+{
+    constexpr std::size_t count = Register<double>::count;
+    if constexpr (block < count) {
+        Register<std::int64_t>::Type upper{};
+        Register<std::int64_t>::Type lower{};
+        for (std::size_t n = 0; n < count; ++n) {
+            upper[n] = static_cast<std::int64_t>((n & block) != 0 ? count + n - block : n);
+            lower[n] = static_cast<std::int64_t>((n & block) != 0 ? count + n : n + block);
+        }
+#pragma GCC unroll 8
+        for (std::size_t row = 0; row < count; ++row)
+            if ((row & block) == 0) {
+                const Register<double>::Type first = rows[row];
+                const Register<double>::Type second = rows[row + block];
+                rows[row] = __builtin_shuffle(first, second, upper);
+                rows[row + block] = __builtin_shuffle(first, second, lower);
+            }
+        transposeBlocks<2 * block>(rows);
+    }
+}
+
+/// Of as many rows as there are columns.
+KNEAD_INLINE void transpose(Register<double>::Type* rows)
+{
+    transposeBlocks<1>(rows);
+}
+template <typename Half>
+KNEAD_INLINE void transpose(Pair<double, Half>* rows)
+{
+    constexpr std::size_t half = lanesOf<Half>;
+    Half blocks[2][2][half];
+#pragma GCC unroll 8
+    for (std::size_t row = 0; row < 2 * half; ++row) {
+        blocks[row / half][0][row % half] = rows[row].low;
+        blocks[row / half][1][row % half] = rows[row].high;
+    }
+    for (auto& ofRows : blocks)
+        for (auto& block : ofRows)
+            transpose(block);
+#pragma GCC unroll 8
+    for (std::size_t row = 0; row < 2 * half; ++row)
+        rows[row] = {blocks[0][row / half][row % half], blocks[1][row / half][row % half]};
+}
+
 KNEAD_INLINE void widen(const std::uint32_t* from, Register<std::uint64_t>::Type& to)
 {
     to = __builtin_convertvector(*reinterpret_cast<const HalfBitsAnywhere*>(from), Register<std::uint64_t>::Type);

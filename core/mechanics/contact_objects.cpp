@@ -171,7 +171,7 @@ bool ContactObjects::isOpen(const ContactObject& object) const
     return object.isCut || object.facesSlit || kindOf(object.ref) != BodyKind::deformable;
 }
 
-/// Glue with glue and neighbors never are. @param outward of all contact objects that are not open
+/// Glue with glue and neighbors never are. @param outward of both, where they are of one body and not open
 bool ContactObjects::mayBeInContact(std::uint32_t first, std::uint32_t second, const std::vector<Vec3>& outward) const
 {
     const ContactObject& a = m_objects[first];
@@ -205,11 +205,16 @@ std::vector<VicinityPair> ContactObjects::findPairs(Vicinity& vicinity, double m
         }
         spheres.push_back(sphere);
     }
+    const PairBlocks& near = vicinity.findPairs(spheres, margin);
+    std::vector<std::uint8_t> isAsked(m_objects.size(), 0); // for their outward directions
+    for (const PairBlock& block : near.blocks())
+        for (const VicinityPair& pair : block.pairs())
+            if (spheres[pair.first].group == spheres[pair.second].group)
+                isAsked[indices[pair.first]] = isAsked[indices[pair.second]] = 1;
     std::vector<Vec3> outward(m_objects.size(), Vec3::Zero());
     for (const std::uint32_t index : indices)
-        if (!isOpen(m_objects[index]))
+        if (isAsked[index] != 0 && !isOpen(m_objects[index]))
             outward[index] = outwardOf(m_objects[index]);
-    const PairBlocks& near = vicinity.findPairs(spheres, margin);
     std::vector<VicinityPair> pairs;
     for (const PairBlock& block : near.blocks())
         for (const VicinityPair& pair : block.pairs())

@@ -4,7 +4,9 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -111,7 +113,8 @@ void ExampleRunsTest::brokenPartsComeAsClosedPieces()
     const Model mesh = importFile(path + ".stl", {.heal = false, .unit = "mm"});
     QCOMPARE(mesh.parts.size(), std::size_t{1});
     const std::vector<double> shells = shellVolumes(mesh.parts.front().mesh);
-    QCOMPARE(shells.size(), volumes.size());
+    // What broke out of the middle of a piece leaves a void.
+    QCOMPARE(std::ranges::count_if(shells, [](double volume) { return volume > 0; }), std::ssize(volumes));
     QVERIFY(std::abs(sum(shells) / sum(volumes) - 1) < 1e-3);
 }
 

@@ -285,9 +285,8 @@ private slots:
         openAndWait({example("handle.step"), example("bracket.step")});
         rest();
         QCOMPARE(document().content().model->tree.children.size(), std::size_t{2});
-        qInfo("Busy for %.1f ms at most (%s), and drawing for %.1f ms.", 1000 * watched.longest().time,
-              qPrintable(watched.longest().what), 1000 * watched.longestDrawing());
-        QVERIFY2(watched.longest().time < 0.05 * slowness(), qPrintable(watched.longest().what));
+        watched.say("both parts are on the screen");
+        QVERIFY2(watched.longest().time < longestAnswer(), qPrintable(watched.longest().what));
     }
 };
 

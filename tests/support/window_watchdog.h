@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deep.h"
+
 #include <QApplication>
 #include <QEvent>
 #include <QThread>
@@ -21,8 +23,8 @@ inline double ownTime()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// How many times as long as on the machine of the bounds this thread takes now for work that is always the same, 1 at least. What
-/// is to be done within a time may take that many times as long: a slower processor is no fault of the window's.
+/// How many times as long as on the machine of the bounds this thread takes now for work that is always the same, 1 at least. A slower
+/// processor is no fault of the window's.
 inline double slowness()
 {
     constexpr double there = 5e-3; // [s] as measured on two shared cores while little else ran
@@ -38,6 +40,16 @@ inline double slowness()
     return std::max(1.0, best / there);
 }
 
+/// What an event may take of the window's thread [s]. Longer is a hitch: it is printed as a warning.
+inline constexpr double answerTime = 0.05;
+
+/// Where an event is no hitch any more but holds the window up, and the test fails [s]. Times vary too much where other things run to
+/// hold each change to answerTime itself: `./dev check deep tests` does, on a machine that does nothing else.
+inline double longestAnswer()
+{
+    return isDeep() ? answerTime : 10 * answerTime;
+}
+
 /// An application that watches how long each event keeps the window's thread from the next one. Drawing the view, and putting its
 /// picture together with those of the widgets, is told apart: on a machine without a graphics card the processor does it. Loops
 /// of dialogs are not the event that opened them.
@@ -47,7 +59,7 @@ public:
 
     /// The event that took longest since clear().
     struct Longest {
-        double time = 0; ///< [s] without drawing
+        double time = 0; ///< [s] without drawing, on the machine of the bounds: over slowness() right after it
         QString what;    ///< receiver and type of the event
     };
 
@@ -58,6 +70,20 @@ public:
     }
     const Longest& longest() const { return m_longest; }
     double longestDrawing() const { return m_longestDrawing; } ///< of one picture [s]
+
+    /// Prints the longest event since clear(), as a warning where it is a hitch. @param until what was done meanwhile
+    void say(const QString& until) const
+    {
+        const QString sentence = QStringLiteral("Until %1: busy for %2 ms at most (%3), and drawing for %4 ms.")
+                                     .arg(until)
+                                     .arg(1000 * m_longest.time, 0, 'f', 1)
+                                     .arg(m_longest.what)
+                                     .arg(1000 * m_longestDrawing, 0, 'f', 1);
+        if (m_longest.time > answerTime)
+            qWarning("%s", qPrintable(sentence));
+        else
+            qInfo("%s", qPrintable(sentence));
+    }
 
     bool notify(QObject* receiver, QEvent* event) override
     {
@@ -86,7 +112,7 @@ public:
             busy = ran.painting;
         }
         if (busy > m_longest.time)
-            m_longest = {busy, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
+            keep(busy, QStringLiteral("event %1 of %2").arg(int(type)).arg(name));
         return result;
     }
 
@@ -97,6 +123,17 @@ private:
         double painting = 0;     ///< widgets but for the view [s]
         bool isPainting = false; ///< a widget, now
     };
+
+    /// Takes the event that took longest so far. How fast the machine is just now is asked where it matters: that takes time, too.
+    void keep(double busy, const QString& what)
+    {
+        const double start = ownTime();
+        const double time = busy > answerTime / 2 ? busy / slowness() : busy;
+        if (!m_running.empty())
+            m_running.back().elsewhere += ownTime() - start;
+        if (time > m_longest.time)
+            m_longest = {time, what};
+    }
 
     /// An event that another one sends.
     bool part(QObject* receiver, QEvent* event)
