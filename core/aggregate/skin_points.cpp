@@ -20,6 +20,10 @@ constexpr double boxSize = 0.5;
 constexpr std::size_t mostTriangles = 8'000'000;
 // Normals of one side differ by less, so that edges and what lies beside them are told apart, and the sides of a thin sheet [cosine].
 constexpr double sameSide = 0.85;
+// So does how far they reach out, so that the treads of small steps are told apart: more than surfaces bend in a box [spacings].
+constexpr double sameReach = 0.25;
+// Faces between two layers of boxes belong to the one inside, whatever rounding does [spacings].
+constexpr double inwards = 1e-6;
 // What reaches out less than the farthest by this is as far [spacings].
 constexpr double asFar = 1e-3;
 
@@ -41,7 +45,8 @@ std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice,
         }
     }
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        const Vec3 local = lattice.coordinates(mesh.vertices[v]) / boxSize;
+        const Vec3 within = mesh.vertices[v] - inwards * lattice.spacing * vertices[v].normal.stableNormalized();
+        const Vec3 local = lattice.coordinates(within) / boxSize;
         vertices[v].index = v;
         for (std::size_t axis = 0; axis < 3; ++axis)
             vertices[v].box[axis] = static_cast<std::int32_t>(std::floor(local[static_cast<Eigen::Index>(axis)]));
@@ -89,9 +94,15 @@ std::vector<SkinPoint> skinPoints(const TriangleMesh& mesh, const Lattice& latti
             std::find_if(begin, vertices.end(), [&](const Vertex& vertex) { return vertex.box != begin->box; });
         std::vector<Vertex> rest(begin, end);
         while (!rest.empty()) {
-            const Vec3 normal = rest.front().normal.stableNormalized();
+            const Vertex pivot = rest.front();
+            const Vec3 normal = pivot.normal.stableNormalized();
+            const auto isSameSide = [&](const Vertex& vertex) {
+                const double reach = (fine.vertices[vertex.index] - fine.vertices[pivot.index]).dot(normal);
+                return std::abs(reach) < sameReach * lattice.spacing &&
+                       vertex.normal.stableNormalized().dot(normal) > sameSide;
+            };
             const auto other = std::stable_partition(rest.begin(), rest.end(), [&](const Vertex& vertex) {
-                return vertex.index == rest.front().index || vertex.normal.stableNormalized().dot(normal) > sameSide;
+                return vertex.index == pivot.index || isSameSide(vertex);
             });
             std::vector<Vertex> next(other, rest.end());
             rest.erase(other, rest.end());

@@ -180,6 +180,7 @@ KNEAD_INLINE void storeColumns(const double* rows, double* const (&columns)[6], 
         store(columns[c] + first, block[c]);
 }
 
+/// Groups number their points from 0 on, one group after the other; columns are written up to a whole vector behind the last.
 void gatherPoints(const CarriedPoints& points, const double* motions, double* const (&columns)[6])
 {
     double rows[lanes * motionSize]{};

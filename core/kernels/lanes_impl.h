@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace knead::kernels::KNEAD_KERNEL_SET {
 
@@ -226,26 +227,26 @@ KNEAD_INLINE void write(double* to, const Pair<double, Half>& numbers)
     write(to + lanesOf<Half>, numbers.high);
 }
 
-/// A stage of transpose(): blocks of `block` rows and columns beside the diagonal change places.
+/// Two rows of a stage of transpose(): blocks of `block` rows and columns beside the diagonal change places.
+template <std::size_t block, std::size_t... column>
+KNEAD_INLINE void exchangeBlocks(Register<double>::Type& first, Register<double>::Type& second,
+                                 std::index_sequence<column...>)
+{
+    constexpr std::size_t count = sizeof...(column);
+    const Register<double>::Type upper =
+        __builtin_shufflevector(first, second, ((column & block) != 0 ? count + column - block : column)...);
+    second = __builtin_shufflevector(first, second, ((column & block) != 0 ? count + column : column + block)...);
+    first = upper;
+}
 template <std::size_t block>
 KNEAD_INLINE void transposeBlocks(Register<double>::Type* rows)
 {
     constexpr std::size_t count = Register<double>::count;
     if constexpr (block < count) {
-        Register<std::int64_t>::Type upper{};
-        Register<std::int64_t>::Type lower{};
-        for (std::size_t n = 0; n < count; ++n) {
-            upper[n] = static_cast<std::int64_t>((n & block) != 0 ? count + n - block : n);
-            lower[n] = static_cast<std::int64_t>((n & block) != 0 ? count + n : n + block);
-        }
 #pragma GCC unroll 8
         for (std::size_t row = 0; row < count; ++row)
-            if ((row & block) == 0) {
-                const Register<double>::Type first = rows[row];
-                const Register<double>::Type second = rows[row + block];
-                rows[row] = __builtin_shuffle(first, second, upper);
-                rows[row + block] = __builtin_shuffle(first, second, lower);
-            }
+            if ((row & block) == 0)
+                exchangeBlocks<block>(rows[row], rows[row + block], std::make_index_sequence<count>());
         transposeBlocks<2 * block>(rows);
     }
 }

@@ -258,7 +258,7 @@ private slots:
         for (const double x : places)
             deepest = std::max(deepest, -moveOf(vertexAt(at(x, 0, 25))).z());
         QVERIFY2(deepest > 3 * millimeter, qPrintable(QString::number(deepest)));
-        endStory(); // the end of its export dialog took 14 to 43 ms, too near to the bound to be held to it
+        endStory(); // the end of its export dialog, of 14 to 43 ms, is told apart
         exportByHand(file("grip.step"));
         stage("exported");
         QFile written(file("grip.step"));

@@ -593,6 +593,7 @@ private slots:
             for (std::size_t i = 0; i < places.size(); ++i)
                 farthest = std::max(farthest, (places[i] - before.places[i]).norm());
             sum += farthest;
+            QVERIFY2(farthest < 0.15 * spacing, qPrintable(QString::number(farthest / spacing)));
             QVERIFY2(std::abs(volumeOf(*shot) / volume - 1) < 5e-4,
                      qPrintable(QString::number(volumeOf(*shot) / volume - 1)));
         }

@@ -230,10 +230,11 @@ protected:
         prepare();
         if (const QString theme = qEnvironmentVariable("KNEAD_PICTURES_THEME"); !theme.isEmpty())
             QSettings().setValue("theme", theme);
-        begin(); // graphics, fonts and code are loaded once, for which it may take longer
+        begin(); // graphics, fonts and code are loaded once, for which it may take twice as long
         watched().clear();
         openByHand(example("bar.step"));
         watched().say("the first part is open");
+        QVERIFY2(watched().longest().time < 2 * longestAnswer(), qPrintable(watched().longest().what));
         m_window.reset();
     }
 
