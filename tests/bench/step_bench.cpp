@@ -21,10 +21,11 @@ Simulation pressedBlock(std::int64_t cells, double poisson)
     scene.bodies.push_back(scenes::box({n, n, n}, spacing, material));
     const double half = 0.5 * spacing * n;
     scene.floorHeight = -half;
-    Manipulator tool{.name = "press", .size = {half, half, 0.01}};
-    tool.pose.position.z() = half + 0.004;
+    constexpr double thickness = 0.01;
+    Manipulator tool{.name = "press", .size = {half, half, thickness}};
+    tool.pose.position.z() = half + 0.51 * thickness; // just above, not in it
     // Pressed in by a tenth of the height and held there, for as many steps as it takes.
-    tool.motion = GoTo{{Vec3(0, 0, 0.8 * half + 0.004), Quaternion::Identity()}};
+    tool.motion = GoTo{{Vec3(0, 0, 0.8 * half + 0.5 * thickness), Quaternion::Identity()}};
     scene.manipulators.push_back(tool);
     return Simulation(std::move(scene));
 }
