@@ -208,7 +208,7 @@ inline std::string solve(const QString& folder, const QString& name, const std::
     process.setWorkingDirectory(folder);
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start("ccx", {"-i", name});
-    if (!process.waitForFinished(120'000) || process.exitCode() != 0)
+    if (!process.waitForFinished(600'000) || process.exitCode() != 0)
         throw std::runtime_error("CalculiX (the package calculix-ccx) does not run: " +
                                  process.readAll().right(500).toStdString());
     return QDir(folder).filePath(name + ".frd").toStdString();

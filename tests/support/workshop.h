@@ -45,12 +45,14 @@ inline bool handles(qint64 process, int signal)
     return false;
 }
 
+constexpr int programPatience = 600'000; // [ms], for machines that do much else
+
 inline Outcome runKnead(const QStringList& arguments)
 {
     QProcess process;
     process.setProcessEnvironment(serverEnvironment());
     process.start(KNEAD_PROGRAM, arguments);
-    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(programPatience) || process.exitStatus() != QProcess::NormalExit)
         return {};
     return {process.exitCode(), process.readAllStandardOutput().toStdString(),
             process.readAllStandardError().toStdString()};
