@@ -4,6 +4,7 @@
 #include "core/aggregate/cut_cells.h"
 #include "core/aggregate/moment_weights.h"
 #include "core/aggregate/row_repair.h"
+#include "core/aggregate/skin_balance.h"
 #include "core/aggregate/skin_points.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/half_edges.h"
@@ -194,6 +195,8 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
     CellCorners corners = joinCells(cells, grid, joining);
     TaskPortion fitting(control, 0.55, 0.65);
     corners.aggregate = withFittedMoments(cells, std::move(corners.aggregate), fitting);
+    TaskPortion balancing(control, 0.65, 0.85);
+    corners.aggregate = withBalancedSkin(cells, std::move(corners.aggregate), corners.isSurface, balancing);
     corners.aggregate.meshVolume = std::abs(properties.volume);
     const bool isDirty = cells.decided() > 0;
     if (isDirty)
@@ -203,7 +206,7 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
         corners.aggregate.repair.decidedCells = cells.decided();
         corners.aggregate.repair.doubtfulShare = cells.doubtful() / cells.volume();
     }
-    TaskPortion measuring(control, 0.65, 1);
+    TaskPortion measuring(control, 0.85, 1);
     corners.aggregate.skin = skinPoints(mesh, corners.aggregate.lattice, orientation);
     measureDepth(corners, mesh, std::move(halfEdges), orientation, isDirty ? &*repair : nullptr, measuring);
     return std::move(corners.aggregate);

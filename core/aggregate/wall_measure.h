@@ -30,6 +30,13 @@ public:
     /// @return 0 .. 1
     double share(const Lattice::Node& cell, const Vec3& inwards) const;
 
+    /// Of material, straight through it from a place at the skin, up to thickestThinWall and a little [cells].
+    /// @param place in coordinates of the lattice [a]
+    double thickness(const Vec3& place, const Vec3& inwards) const
+    {
+        return across(place, inwards.normalized()).length;
+    }
+
 private:
     /// Straight through the material.
     struct Chord {

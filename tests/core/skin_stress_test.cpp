@@ -214,9 +214,8 @@ private slots:
         QTest::addColumn<double>("cells"); // across the radius
         QTest::addColumn<double>("bound");
         QTest::newRow("8 across") << 4.0 << 0.1;
-        // The lattice does not divide them: the stress is less sure, and the estimate says so.
-        QTest::newRow("8.22 across") << 4.11 << 0.25;
-        QTest::newRow("10.44 across") << 5.22 << 0.2;
+        QTest::newRow("8.22 across") << 4.11 << 0.1; // that the lattice does not divide
+        QTest::newRow("10.44 across") << 5.22 << 0.1;
     }
     void holeConcentratesStress()
     {
