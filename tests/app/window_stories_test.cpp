@@ -1,4 +1,5 @@
 // What designers come for, from an empty window to the file, with mouse and keys.
+#include "core/aggregate/pieces.h"
 #include "core/geometry/mass_properties.h"
 #include "core/skin/fragments.h"
 #include "support/story_on_test.h"
@@ -9,6 +10,7 @@
 
 #include <QInputDialog>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -350,22 +352,36 @@ private slots:
         play();
         QTest::keyPress(&view(), Qt::Key_PageDown); // the upper one down
         QTest::keyPress(&view(), Qt::Key_E);        // and the lower one up
-        waitUntil([&] { return snapshot().components == 2; });
+        const auto isCut = [&] {                    // into two halves; crumbs may break off beside them
+            const Snapshot::BodyState body = snapshot().bodies[0];
+            if (body.broken == nullptr)
+                return false;
+            const Pieces pieces = findPieces(*body.aggregate, *body.broken);
+            std::vector<std::size_t> sizes(pieces.count, 0);
+            for (const std::uint32_t piece : pieces.ofObject)
+                ++sizes[piece];
+            return std::ranges::count_if(sizes, [&](std::size_t size) { return 4 * size > body.aggregate->size(); }) ==
+                   2;
+        };
+        waitUntil(isCut);
         QTest::keyRelease(&view(), Qt::Key_PageDown);
         QTest::keyRelease(&view(), Qt::Key_E);
         pause();
         stage("cut");
         key(Qt::Key_F4);
         key(Qt::Key_Escape);
-        QCOMPARE(snapshot().components, std::size_t{2});
+        QVERIFY(isCut());
         stage("pieces");
         exportByHand(file("pieces.step"));
         stage("exported");
         const QString said = info(file("pieces.step"));
-        QVERIFY2(said.contains("2 parts (2 closed)"), qPrintable(said));
+        static const QRegularExpression parts("(\\d+) parts \\((\\d+) closed\\)");
+        const QRegularExpressionMatch match = parts.match(said);
+        QVERIFY2(match.hasMatch() && match.captured(1).toInt() >= 2, qPrintable(said));
+        QCOMPARE(match.captured(2), match.captured(1));
         QFile written(file("pieces.step"));
         QVERIFY(written.open(QIODevice::ReadOnly));
-        QCOMPARE(written.readAll().count("MANIFOLD_SOLID_BREP("), 2);
+        QCOMPARE(written.readAll().count("MANIFOLD_SOLID_BREP("), match.captured(1).toInt());
         endStory();
     }
 
