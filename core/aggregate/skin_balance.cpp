@@ -19,9 +19,10 @@ namespace knead {
 
 namespace {
 
-constexpr double factor =
-    200;                  // of what is out of balance and of moments that change, against relative changes of weights
-constexpr int steps = 12; // of conjugate gradients
+// Of what is out of balance and of moments that change, against relative changes of weights.
+constexpr double factor = 200;
+
+constexpr int steps = 12;         // of conjugate gradients
 constexpr double lightlyBy = 1.1; // light connections change less than in proportion: stable steps stay nearly as long
 constexpr double balanced = 1e-4; // [a^2]: less is rounding, of single precision in files too
 constexpr double leastFree = 2.5; // [cells]: thinner walls keep their weights

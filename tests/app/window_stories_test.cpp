@@ -352,7 +352,8 @@ private slots:
         play();
         QTest::keyPress(&view(), Qt::Key_PageDown); // the upper one down
         QTest::keyPress(&view(), Qt::Key_E);        // and the lower one up
-        const auto isCut = [&] {                    // into two halves; crumbs may break off beside them
+        // Into two halves; crumbs may break off beside them.
+        const auto isCut = [&] {
             const Snapshot::BodyState body = snapshot().bodies[0];
             if (body.broken == nullptr)
                 return false;
