@@ -35,8 +35,8 @@ struct Aggregate {
     Lattice lattice;
 
     /// Weight of the forward connection in each direction: the part of the cells around it that is material, in thin
-    /// walls as withFittedMoments() says, at the skin as withBalancedSkin(); 1 in the bulk, 0 without connection. The sum of k l^2 is 6 E V.
-    /// Empty for a direction that is not used.
+    /// walls as withFittedMoments() says, at the skin as withBalancedSkin(); 1 in the bulk, 0 without connection. The
+    /// sum of k l^2 is 6 E borneVolume. Empty for a direction that is not used.
     std::array<std::vector<double>, Lattice::directionCount> weight;
     std::vector<double> volume; ///< share of the body's volume [m^3]; their sum is filledVolume
     std::vector<double> depth;  ///< distance below the surface [m]; negative outside. Objects further than 2a inside

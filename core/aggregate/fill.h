@@ -29,8 +29,9 @@ struct FillOptions {
 /// The cells of the lattice are cut exactly by the surface: every triangle is clipped to the cells it crosses, and the
 /// divergence theorem along rows gives each cell's volume. No ray is cast and no tolerance is used, so the result is
 /// exact for the triangles, and a small leak costs a small error instead of a column.
-/// Cells with at least minimumFraction of material are kept; their corners are the objects; connections weigh what the cells
-/// around them have of material, in thin walls fitted to its moments, and such that uniform stress is in balance at the skin. The lattice is centered on the box of the part.
+/// Cells with at least minimumFraction of material are kept; their corners are the objects; connections weigh what the
+/// cells around them have of material, in thin walls fitted to its moments, and such that uniform stress is in balance
+/// at the skin. The lattice is centered on the box of the part.
 /// The result does not depend on the number of threads.
 ///
 /// Of dirty surfaces double triangles are removed and flipped ones turned; rows of cells with holes or overlaps in them are

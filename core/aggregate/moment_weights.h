@@ -34,7 +34,8 @@ namespace knead {
 /// torsion .96 to 1.15, at 45 degrees 1.19. Material that yields has another law for its objects, stiffer by 0 to 4 % from 1.75 cells on
 /// and by 9 to 12 % at one.
 /// Uniform strain, exact before along the lattice, is up to 3 % too soft in cut walls there, .3 % in bars of four whole cells:
-/// families are fitted one by one, which leaves small forces at the skin, see withBalancedSkin(). Sheets of whole cells stay exact: see ThinBlock.
+/// families are fitted one by one, which leaves small forces at the skin that withBalancedSkin() takes away. Sheets of
+/// whole cells stay exact: see ThinBlock.
 /// The result does not depend on the number of threads.
 /// @param aggregate with the weights of joinCells() from the same cells
 /// @throws Cancelled
