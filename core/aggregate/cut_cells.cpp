@@ -1,6 +1,7 @@
 #include "core/aggregate/cut_cells.h"
 
 #include "core/aggregate/cell_polygon.h"
+#include "core/aggregate/cell_scraps.h"
 #include "core/aggregate/row_repair.h"
 #include "core/task/parallel_progress.h"
 
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double sliver = 1e-9;   // of a cell: what rounding may add or take
 constexpr double fullCell = 0.95; // thinner than so much of a cell, half of it might hold too little to be kept
-
-// Of the least fraction, where no full cell is near. A tilted wall of one cell has many cells with little in them; without
-// them it has holes, and at some tilts falls into rows that only hang together at their corners.
-constexpr double leastFraction = 0.5;
 
 /// Numbers of things sorted into the cells of an axis; a thing may be in several.
 class Bins {
@@ -270,45 +267,6 @@ private:
     std::vector<CellRange> m_ranges; // slabs of each triangle
 };
 
-/// Whether a cell that is full, or one of its 26 neighbors, is.
-bool touchesFullCell(const CutCells& cells, std::int32_t u, std::int32_t v, std::int32_t w)
-{
-    for (std::int32_t near = std::max(u - 1, 0); near <= u + 1 && static_cast<std::size_t>(near) < cells.slabs.size();
-         ++near)
-        for (std::int32_t beside = v - 1; beside <= v + 1; ++beside) {
-            const CutCells::Row row = cells.slabs[static_cast<std::size_t>(near)].row(beside);
-            const auto first = std::lower_bound(row.w.begin(), row.w.end(), w - 1);
-            for (auto i = static_cast<std::size_t>(first - row.w.begin()); i < row.w.size() && row.w[i] <= w + 1; ++i)
-                if (row.fraction[i] >= 1 - sliver)
-                    return true;
-        }
-    return false;
-}
-
-/// The slab without kept cells that hold less than minimumFraction beside a full cell.
-CutCells::Slab withoutScraps(const CutCells& cells, std::size_t u, double minimumFraction)
-{
-    const CutCells::Slab& slab = cells.slabs[u];
-    CutCells::Slab left;
-    left.firstRow = slab.firstRow;
-    left.cut = slab.cut;
-    left.volume = slab.volume;
-    left.decided = slab.decided;
-    left.doubtful = slab.doubtful;
-    for (std::int32_t v = slab.firstRow; v < slab.rowsEnd(); ++v) {
-        const CutCells::Row row = slab.row(v);
-        for (std::size_t i = 0; i < row.w.size(); ++i) {
-            if (row.fraction[i] < minimumFraction - sliver &&
-                touchesFullCell(cells, static_cast<std::int32_t>(u), v, row.w[i]))
-                continue;
-            left.w.push_back(row.w[i]);
-            left.fraction.push_back(row.fraction[i]);
-        }
-        left.rowBegin.push_back(left.w.size());
-    }
-    return left;
-}
-
 template <typename OfSlab>
 auto sumOver(const std::vector<CutCells::Slab>& slabs, OfSlab ofSlab)
 {
@@ -380,12 +338,8 @@ double CutCells::doubtful() const
 CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
                   TaskControl& control, const RowRepair* repair)
 {
-    const CutCells cells = Cutter(mesh, grid, orientation, leastFraction * minimumFraction, repair).cut(control);
-    CutCells left;
-    left.slabs.resize(cells.slabs.size());
-    forEachBlock(cells.slabs.size(), 1,
-                 [&](std::size_t u, std::size_t) { left.slabs[u] = withoutScraps(cells, u, minimumFraction); });
-    return left;
+    return withoutScraps(Cutter(mesh, grid, orientation, leastFraction(minimumFraction), repair).cut(control),
+                         minimumFraction);
 }
 
 } // namespace knead

@@ -69,8 +69,8 @@ struct CutCells {
 ///
 /// Each triangle is clipped to the cells it crosses. A piece adds the volume between itself and the top of its cell to
 /// this cell, and its projected area times the cell's height to all cells above (the divergence theorem along rows).
-/// The moments of cut cells come the same way. Cells with less than minimumFraction are not kept where a full cell is
-/// among their 26 neighbors; elsewhere, in thin walls, those with less than half of it.
+/// The moments of cut cells come the same way. Cells with less than minimumFraction are not kept, but for those that
+/// withoutScraps() keeps.
 /// @param orientation 1 when the triangles face outwards, -1 when they face inwards
 /// @param repair decides rows that the surface does not bound; without it the surface is taken for closed
 /// @throws Cancelled

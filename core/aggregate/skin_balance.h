@@ -26,11 +26,10 @@ namespace knead {
 /// Walls of less than 2.5 cells keep their weights, which make up for what the lattice cannot do there, unless others are so near that
 /// they share blocks; up to 3.5 cells it passes over. Family sums stay to the last digits, and volumes go with the weights.
 ///
-/// Stress at the top of holes of 6 to 20 cells across in a plate that is pulled, by Kirsch's solution: -9 to +9 % (-17 to +10 %
-/// before), anywhere around them up to 14 %, once 20 %, of the largest off (24 %). Where the skin lies up to a quarter of a cell beyond a plane
-/// of nodes, whose cells are too empty to be kept, +15 to +27 % (+19 to +34 %): with cells kept from .03 on it would be 9 %, and curved
-/// bars, which have such places, would come right, too. Filling takes two to three times as long where all of the skin cuts cells: .5
-/// to 1 us per connection there, one core.
+/// Stress at the top of a hole of 6 to 16 cells across in a strip that is pulled (Heywood), at 13 spacings: -7 to +9 %, at 6.8 cells
+/// -11 %; anywhere around it up to 17 % of the largest off, by Kirsch. Layers that withoutScraps() keeps have a part in that: without
+/// them it was up to +17 %. Filling takes two to three times as long where all of the skin cuts cells: .5 to 1 us per connection
+/// there, one core.
 /// The result does not depend on the number of threads.
 /// @param isSurface per object, as in CellCorners
 /// @throws Cancelled

@@ -170,13 +170,32 @@ private slots:
         QCOMPARE(aggregate.cells, std::size_t{480 - 32});
     }
 
-    void thresholdDropsOnlyCellsBelowIt()
+    void layersOverThreeFullCellsAreKept()
     {
-        // Of 11 layers of cells the first and the last are filled to 0.8, then to 0.7.
-        for (const auto& [side, cells] : {std::pair{10.6, 11}, std::pair{10.4, 9}}) {
-            const Aggregate aggregate = fill(shapes::box(Vec3(2, 2, side)), {.spacing = 1, .minimumFraction = 0.75});
-            QCOMPARE(aggregate.cells, static_cast<std::size_t>(4 * cells));
+        // The void's faces across lie beyond a plane of nodes by that: 4 x 4 columns of cells end there on both sides.
+        struct Row {
+            double side;
+            double beyond;
+            std::size_t kept;
+        };
+        for (const auto& [side, beyond, kept] :
+             {Row{10, 0.05, 32}, Row{10, 0.2, 32}, Row{10, 0.02, 0}, Row{8, 0.2, 0}, Row{8, 0.3, 32}}) {
+            const Aggregate aggregate = fill(shapes::hollowBox({10, 10, side}, {4, 4, 4 - 2 * beyond}), {.spacing = 1});
+            QCOMPARE(aggregate.cells, static_cast<std::size_t>(100 * side) - 64 + kept);
+            QVERIFY(std::abs(aggregate.filledVolume / (100 * side - 16 * (4 - 2 * beyond)) - 1) < 1e-12);
         }
+    }
+
+    void cornersOfCellsBelowTheThresholdAreDropped()
+    {
+        // A bar of 4 x 4 cells with a chamfer that leaves half the square of `rest` of the cells along an edge.
+        const auto bar = [](double rest) {
+            return shapes::prism({{0, 0}, {4, 0}, {4, 2 + rest}, {2 + rest, 4}, {0, 4}}, 6);
+        };
+        for (const auto& [rest, least, cells] :
+             {std::tuple{0.8, 0.25, 16}, std::tuple{0.6, 0.25, 15}, std::tuple{0.8, 0.4, 15}, std::tuple{0.9, 0.4, 16}})
+            QCOMPARE(fill(bar(rest), {.spacing = 1, .minimumFraction = least}).cells,
+                     static_cast<std::size_t>(6 * cells));
     }
 
     void centerOfMassIsNearThatOfTheMesh()

@@ -147,8 +147,8 @@ private slots:
 
     void uniformStressIsInBalanceWhereCellsAreNotKept()
     {
-        // Skins of a cavity lie a tenth of a cell beyond nodes: the cells there hold too little to be kept, and their corners have no objects.
-        const Filling filling(shapes::hollowBox({30, 20, 20}, {26, 9.8, 9.8}));
+        // Skins of a cavity lie a fiftieth of a cell beyond nodes: the cells there hold too little to be kept, and their corners have no objects.
+        const Filling filling(shapes::hollowBox({30, 20, 20}, {26, 9.96, 9.96}));
         const double before = imbalance(filling.corners.aggregate, Quaternion::Identity(), 10);
         const double after = imbalance(filling.balanced(), Quaternion::Identity(), 10);
         qInfo("forces of a strain of 1: %.4f, balanced %.4f", before, after);
@@ -157,10 +157,10 @@ private slots:
 
     void gapsAreNotReachedAcross()
     {
-        // Two blocks 1.8 cells apart whose skins lie a tenth of a cell beyond nodes: each bears its own.
+        // Two blocks 1.96 cells apart whose skins lie a fiftieth of a cell beyond nodes: each bears its own.
         const Filling filling(
-            together(shapes::moved(shapes::box({12, 12, 5.1}), {Vec3(0, 0, 3.45), Quaternion::Identity()}),
-                     shapes::moved(shapes::box({12, 12, 5.1}), {Vec3(0, 0, -3.45), Quaternion::Identity()})));
+            together(shapes::moved(shapes::box({12, 12, 5.02}), {Vec3(0, 0, 3.49), Quaternion::Identity()}),
+                     shapes::moved(shapes::box({12, 12, 5.02}), {Vec3(0, 0, -3.49), Quaternion::Identity()})));
         const Aggregate& aggregate = filling.corners.aggregate;
         const std::vector<Vec3> areas = skinAreas(filling.cells, aggregate, filling.corners.isSurface);
         double upward = 0; // of the lower block: as much as its faces have
@@ -169,7 +169,8 @@ private slots:
                 const Vec3 area = aggregate.lattice.axes * areas[i];
                 upward += area.z() * aggregate.lattice.position(i).z();
             }
-        QVERIFY2(std::abs(upward / (12 * 12 * 5.1) - 1) < 1e-9, qPrintable(QString::number(upward / (12 * 12 * 5.1))));
+        QVERIFY2(std::abs(upward / (12 * 12 * 5.02) - 1) < 1e-9,
+                 qPrintable(QString::number(upward / (12 * 12 * 5.02))));
     }
 
     void wallsKeepWhatTheyBear_data() { turns::addRows(); }

@@ -221,16 +221,17 @@ private:
     {
         const Snapshot::BodyState& body = shot.bodies[0];
         return [skin = refine(m_mesh, m_aggregate->lattice.spacing), aggregate = m_aggregate, pose = m_part.pose,
-                displacements = body.displacements(), relaxed = body.relaxed,
-                loaded = loadedObjects(shot, 0)](const Vec3& place) {
+                displacements = body.displacements(), relaxed = body.relaxed, loaded = loadedObjects(shot, 0),
+                stresses = std::make_shared<SkinStresses>()](const Vec3& place) {
             const Vec3 world = pose.toWorld(place);
             std::size_t nearest = 0;
             for (std::size_t v = 0; v < skin.vertices.size(); ++v)
                 if ((skin.vertices[v] - world).squaredNorm() < (skin.vertices[nearest] - world).squaredNorm())
                     nearest = v;
-            const ObjectStrains objects(*aggregate, displacements, *relaxed);
-            const SkinStresses stresses = SkinStress(*aggregate, skin).stresses(objects, loaded, false);
-            return static_cast<double>(stresses.vonMises[nearest]);
+            if (stresses->vonMises.empty()) // all at once, when the first is asked for
+                *stresses = SkinStress(*aggregate, skin)
+                                .stresses(ObjectStrains(*aggregate, displacements, *relaxed), loaded, false);
+            return static_cast<double>(stresses->vonMises[nearest]);
         };
     }
 
