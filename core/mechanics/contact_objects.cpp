@@ -64,7 +64,9 @@ void ContactObjects::addSkin(std::uint32_t body)
         if (depth >= largestRadius * belowLayer * a)
             continue;
         ContactObject object{.ref = {body, i}, .parameters = {}};
-        object.radius = isDeep(i) ? depth : isThin(i) ? smallestRadius * a : 0;
+        const bool isFarOutside =
+            depth < -smallestRadius * a; // corner of a thin layer: it would touch long before the skin
+        object.radius = isDeep(i) ? depth : !isFarOutside && isThin(i) ? smallestRadius * a : 0;
         add(object);
     }
 }

@@ -186,6 +186,38 @@ private slots:
         }
     }
 
+    void ribsAndFoilsAreNoLayers()
+    {
+        // On a block of 8 x 8 x 8 cells, beside a pillar that puts its upper face on nodes: what lies on it, or above it.
+        const auto cells = [](const TriangleMesh& part) { return fill(part, {.spacing = 1}).cells; };
+        const auto boxAt = [](const Vec3& sides, const Vec3& middle) {
+            return shapes::moved(shapes::box(sides), {middle, Quaternion::Identity()});
+        };
+        const auto blockWith = [&](const TriangleMesh& more) {
+            const TriangleMesh block = shapes::together(boxAt({8, 8, 8}, {0, 0, 0}), boxAt({1, 8, 4}, {-3.5, 0, 6}));
+            return shapes::together(block, more);
+        };
+        const std::size_t bare = 512 + 32;
+        QCOMPARE(cells(blockWith(boxAt({2, 2, 0.1}, {1, 1, 4.05}))), bare + 4);    // a layer
+        QCOMPARE(cells(blockWith(boxAt({0.45, 2, 0.45}, {0.5, 1, 4.225}))), bare); // a rib
+        QCOMPARE(cells(blockWith(boxAt({2, 2, 0.1}, {1, 1, 4.5}))), bare);         // a foil over it
+        QCOMPARE(cells(blockWith(boxAt({2, 2, 4.1}, {1, 1, 6.95}))), bare + 16);   // what hangs down to near it
+    }
+
+    void gapsOfNearlyTwoCellsStayOpen()
+    {
+        for (const double gap : {1.6, 1.8, 1.9}) {
+            const double side = 5 - gap / 2;
+            const auto blockAt = [&](double way) {
+                return shapes::moved(shapes::box({10, 10, side}),
+                                     {Vec3(0, 0, way * (gap + side) / 2), Quaternion::Identity()});
+            };
+            const Aggregate aggregate = fill(shapes::together(blockAt(-1), blockAt(1)), {.spacing = 1});
+            for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+                QVERIFY2(std::abs(aggregate.lattice.position(i).z()) > 0.4, qPrintable(QString::number(gap)));
+        }
+    }
+
     void cornersOfCellsBelowTheThresholdAreDropped()
     {
         // A bar of 4 x 4 cells with a chamfer that leaves half the square of `rest` of the cells along an edge.

@@ -157,20 +157,24 @@ private slots:
 
     void gapsAreNotReachedAcross()
     {
-        // Two blocks 1.96 cells apart whose skins lie a fiftieth of a cell beyond nodes: each bears its own.
-        const Filling filling(
-            together(shapes::moved(shapes::box({12, 12, 5.02}), {Vec3(0, 0, 3.49), Quaternion::Identity()}),
-                     shapes::moved(shapes::box({12, 12, 5.02}), {Vec3(0, 0, -3.49), Quaternion::Identity()})));
-        const Aggregate& aggregate = filling.corners.aggregate;
-        const std::vector<Vec3> areas = skinAreas(filling.cells, aggregate, filling.corners.isSurface);
-        double upward = 0; // of the lower block: as much as its faces have
-        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
-            if (aggregate.lattice.position(i).z() < 0) {
-                const Vec3 area = aggregate.lattice.axes * areas[i];
-                upward += area.z() * aggregate.lattice.position(i).z();
-            }
-        QVERIFY2(std::abs(upward / (12 * 12 * 5.02) - 1) < 1e-9,
-                 qPrintable(QString::number(upward / (12 * 12 * 5.02))));
+        // Two blocks whose skins lie a little beyond nodes, nearly two cells apart: each bears its own.
+        for (const double beyond : {0.02, 0.1, 0.2}) {
+            const Vec3 sides(12, 12, 5 + beyond);
+            const double height = 3.5 - beyond / 2;
+            const auto blockAt = [&](double z) {
+                return shapes::moved(shapes::box(sides), {Vec3(0, 0, z), Quaternion::Identity()});
+            };
+            const Filling filling(together(blockAt(height), blockAt(-height)));
+            const Aggregate& aggregate = filling.corners.aggregate;
+            const std::vector<Vec3> areas = skinAreas(filling.cells, aggregate, filling.corners.isSurface);
+            double upward = 0; // of the lower block: as much as its faces have
+            for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+                if (aggregate.lattice.position(i).z() < 0) {
+                    const Vec3 area = aggregate.lattice.axes * areas[i];
+                    upward += area.z() * aggregate.lattice.position(i).z();
+                }
+            QVERIFY2(std::abs(upward / sides.prod() - 1) < 1e-9, qPrintable(QString::number(upward / sides.prod())));
+        }
     }
 
     void wallsKeepWhatTheyBear_data() { turns::addRows(); }
