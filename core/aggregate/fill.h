@@ -17,7 +17,7 @@ enum class DirtySurface : std::uint8_t {
 
 struct FillOptions {
     double spacing = 0.002;        ///< lattice spacing a [m], > 0
-    double minimumFraction = 0.25; ///< cells with less material are dropped; in thin walls, with less than half of it
+    double minimumFraction = 0.25; ///< cells with less material are dropped, but for those that withoutScraps() keeps
     std::size_t maximumObjects = 20'000'000;
     DirtySurface dirty = DirtySurface::refuse;
     std::optional<Eigen::Index>

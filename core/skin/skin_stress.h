@@ -48,8 +48,8 @@ public:
     /// says 10 to 16 %.
     static constexpr double errorPerDifference = 0.4;
 
-    /// Around holes of 6 to 20 cells across in a plate that is pulled, stress is off by up to .7 of the largest times the spacing by their
-    /// radius; at places where cells were too empty to be kept by up to 1.6, and there this says too little. Chosen on other holes.
+    /// Around holes of 6 to 16 cells across in a strip that is pulled, at 12 spacings, stress was off by up to .85 of the largest
+    /// times the spacing by their radius. Chosen on other holes.
     static constexpr double errorPerHollow = 0.9;
 
     /// @param surface a mesh, or points of one with what is known of the air around them
