@@ -159,8 +159,7 @@ void ContactBatch::fillColumns()
           &m_largestOverlap, &m_kept, &m_keptApart, &m_hold[0], &m_hold[1], &m_hold[2], &m_pressure})
         column->resize(columnCount());
     forEachPoint([this](const Point& point, std::size_t at) {
-        for (std::uint32_t n = 0; n < point.spread->count; ++n)
-            m_weightSum[at] += std::abs(point.spread->weights[n]);
+        m_weightSum[at] = point.spread->weightSum();
         m_reach[at] = point.reach;
         m_stiffness[at] = point.parameters.stiffness;
         m_damping[at] = point.parameters.damping;

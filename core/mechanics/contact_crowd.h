@@ -20,9 +20,7 @@ public:
     /// A bound on what a contact at a point adds to the modes of its objects.
     void add(const ContactBody& body, std::uint32_t index, const PointSpread& spread, double stiffness)
     {
-        double sum = 0;
-        for (std::uint32_t n = 0; n < spread.count; ++n)
-            sum += std::abs(spread.weights[n]);
+        const double sum = spread.weightSum();
         std::vector<double>& sums = sumsOf(body, index);
         for (std::uint32_t n = 0; n < spread.count; ++n)
             add(sums, index, spread.objects[n], sum * std::abs(spread.weights[n]) * stiffness);

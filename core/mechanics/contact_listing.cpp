@@ -10,8 +10,11 @@ namespace {
 
 // Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
 constexpr double marginShare = 0.5;
-// The same for points near surfaces, where one that does not touch takes little.
+// The same for points near surfaces where one that does not touch takes little: at least, and at most.
+constexpr double leastSurfaceMarginShare = 0.25;
 constexpr double surfaceMarginShare = 1.5;
+// Those are listed for about so many explicit steps, and again after as many where by then half of the margin would do.
+constexpr std::size_t stepsBetween = 128;
 // So much further for steps of the implicit scheme.
 constexpr double aheadShare = 1;
 // A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due
@@ -38,13 +41,27 @@ void ContactListing::setScheme(std::span<const ContactBody> bodies, bool isImpli
 
 void ContactListing::lookAhead(bool takesLittle)
 {
-    m_surfaceMargin = takesLittle && !m_isImplicit ? surfaceMarginShare / marginShare * m_margin : m_margin;
+    m_mostSurfaceMargin = takesLittle && !m_isImplicit ? surfaceMarginShare / marginShare * m_margin : m_margin;
+    m_surfaceMargin = wantedSurfaceMargin();
+}
+
+/// For as many steps as are wanted between lists, if things go on as they have gone since the last one. Knives are where they were when
+/// points were listed: for them all stays as it is.
+double ContactListing::wantedSurfaceMargin() const
+{
+    const bool takesLittle = m_mostSurfaceMargin > m_margin;
+    if (!takesLittle || !m_valid || m_stepsToSurfaces == 0)
+        return m_mostSurfaceMargin;
+    const double perStep = m_travelToSurfaces / static_cast<double>(m_stepsToSurfaces);
+    return std::clamp(static_cast<double>(stepsBetween) * perStep, leastSurfaceMarginShare / marginShare * m_margin,
+                      m_mostSurfaceMargin);
 }
 
 void ContactListing::move(double travel, double surfaceTravel)
 {
     m_travel += travel;
     m_travelToSurfaces += travel + surfaceTravel;
+    ++m_stepsToSurfaces;
 }
 
 bool ContactListing::arePairsDue(const ContactObjects& objects, KeptLengths& kept)
@@ -70,13 +87,16 @@ void ContactListing::listedPairs(const ContactObjects& objects)
 
 bool ContactListing::areSurfacesDue(std::size_t surfaces) const
 {
-    return !m_valid || m_travelToSurfaces > m_surfaceMargin || surfaces != m_surfaceCount;
+    const bool isTooFar = m_travelToSurfaces > m_surfaceMargin;
+    const bool isTooWide = m_stepsToSurfaces >= stepsBetween && 2 * wantedSurfaceMargin() < m_surfaceMargin;
+    return !m_valid || isTooFar || isTooWide || surfaces != m_surfaceCount;
 }
 
 void ContactListing::listedSurfaces(std::size_t surfaces)
 {
     m_surfaceCount = surfaces;
     m_travelToSurfaces = 0;
+    m_stepsToSurfaces = 0;
 }
 
 /// How far objects may have moved towards each other since pairs were listed: where a body is alone, only what is no

@@ -30,7 +30,8 @@ public:
     bool arePairsDue(const ContactObjects& objects, KeptLengths& kept);
     void listedPairs(const ContactObjects& objects);
 
-    /// How far ahead points near surfaces are listed next: further in explicit steps where those that do not touch take little.
+    /// How far ahead points near surfaces are listed next: where those that do not touch take little, in explicit steps, as far as
+    /// things have gone in some hundred of them.
     void lookAhead(bool takesLittle);
 
     /// Whether what is near surfaces is due. @param surfaces how many there are @pre pairs are listed
@@ -41,14 +42,17 @@ public:
 
 private:
     double travelTowardsOthers(const ContactObjects& objects) const;
+    double wantedSurfaceMargin() const;
 
-    double m_margin = 0;            ///< [m]
-    double m_surfaceMargin = 0;     ///< with which what is near surfaces was listed [m]
-    double m_ahead = 0;             ///< candidates are listed so much earlier than they can touch [m]
-    std::vector<Vec3> m_listedAt;   ///< per contact object: its place when pairs were listed [m]
-    double m_travel = 0;            ///< of objects towards each other since then, at most [m]
-    double m_travelToSurfaces = 0;  ///< of objects and surfaces since those were listed, at most [m]
-    std::size_t m_surfaceCount = 0; ///< when those were listed
+    double m_margin = 0;               ///< [m]
+    double m_surfaceMargin = 0;        ///< with which what is near surfaces was listed [m]
+    double m_mostSurfaceMargin = 0;    ///< that it may be listed with [m]
+    double m_ahead = 0;                ///< candidates are listed so much earlier than they can touch [m]
+    std::vector<Vec3> m_listedAt;      ///< per contact object: its place when pairs were listed [m]
+    double m_travel = 0;               ///< of objects towards each other since then, at most [m]
+    double m_travelToSurfaces = 0;     ///< of objects and surfaces since those were listed, at most [m]
+    std::size_t m_surfaceCount = 0;    ///< when those were listed
+    std::size_t m_stepsToSurfaces = 0; ///< since then
     std::size_t m_count = 0;
     bool m_isImplicit = false;
     bool m_valid = false;

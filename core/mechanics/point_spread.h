@@ -4,6 +4,7 @@
 #include "core/mechanics/vector_array.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -29,6 +30,14 @@ struct PointSpread {
             values.add(objects[n], weights[n] * value);
     }
     ObjectIndex main() const; ///< of the largest weight
+    /// sum |w_i| >= 1: where the objects have moved by 1 at most, the point has moved by no more than this.
+    double weightSum() const
+    {
+        double sum = 0;
+        for (std::uint32_t n = 0; n < count; ++n)
+            sum += std::abs(weights[n]);
+        return sum;
+    }
 };
 
 /// That of an object's own place.

@@ -72,6 +72,7 @@ double SurfaceContacts::crossingTime(const ContactBody& body, std::uint32_t inde
 
 void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, double frequency, bool isImplicit)
 {
+    m_isImplicit = isImplicit;
     std::vector<double> areas(bodies.size(), 0);
     std::vector<double> masses;
     for (const Point& point : m_points)

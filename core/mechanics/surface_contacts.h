@@ -58,7 +58,8 @@ public:
     double connectionsBroke(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                             std::uint32_t body, std::size_t firstBroken);
 
-    /// Finds what may touch before anything has gone further than the margin [m].
+    /// Finds what may touch before anything has gone further than the margin [m]. What else is listed changes no forces; what friction
+    /// remembers of a point is forgotten by the first list that finds it far away.
     void list(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces, double margin);
 
     /// Before an implicit step: from which side points can come into the surfaces within it. A long step may bring them so far in
@@ -139,6 +140,7 @@ private:
     std::vector<Sorted> m_sorted;          ///< the same
     std::vector<std::uint32_t> m_listed;   ///< ids of those surfaces
     std::vector<Touch> m_remembered;       ///< of a moment, for the next list
+    bool m_isImplicit = false;             ///< whether a step may go far
 };
 
 } // namespace knead

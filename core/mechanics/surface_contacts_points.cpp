@@ -19,6 +19,12 @@ constexpr double looseReach = 0.5;
 // Of bodies that were filled without a skin, objects so deep touch [spacings].
 constexpr double skinDepth = 1 - 1e-6;
 
+// What friction remembers of a point is kept up to here from a surface, however near points are listed [spacings].
+constexpr double rememberedReach = 2.5;
+
+// Explicit steps hardly go further [spacings].
+constexpr double stepReach = 0.1;
+
 // So near to the plane of a knife [spacings].
 constexpr double nearPlane = 0.5;
 
@@ -168,8 +174,15 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
     double largestReach = 0;
     for (const ContactBody& body : bodies)
         largestReach = std::max(largestReach, body.spacing());
+    // A single step of the implicit scheme may go far, and one of the explicit one as far again as its speed at the end says.
+    const auto reachOf = [&](const Point& point) {
+        return m_isImplicit ? largestReach + margin
+                            : point.reach + point.spread.weightSum() * margin + stepReach * largestReach;
+    };
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + margin);
+        const bool isByDistance = m_isImplicit || ContactBatch::takesLittle(surfaces[s]);
+        const Box box =
+            surfaces[s].reach(std::max(largestReach + margin, isByDistance ? rememberedReach * largestReach : 0));
         const PlacedSurface placed(surfaces[s]);
         m_listed.push_back(surfaces[s].id);
         for (std::uint32_t p = 0; p < m_points.size(); ++p) {
@@ -185,6 +198,8 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             const auto behind = std::upper_bound(before.begin(), before.end(), key, isBefore);
             const Touch* const known =
                 behind != before.begin() && keyOf(*std::prev(behind)) == keyOf(key) ? &*std::prev(behind) : nullptr;
+            if (known == nullptr && isByDistance && near.side == 0 && placed.nearest(place).distance > reachOf(point))
+                continue;
             if (known != nullptr) {
                 near.friction = known->friction;
                 near.kept = known->kept;

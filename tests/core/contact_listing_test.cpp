@@ -120,6 +120,112 @@ private slots:
         QVERIFY2(boxes.contacts->listings() > 5, qPrintable(QString::number(boxes.contacts->listings())));
     }
 
+    /// Points near surfaces, in explicit steps: as far ahead as things go in 128 of them, within a quarter and 1.5 spacings.
+    void surfacesAreListedAsFarAsThingsGo()
+    {
+        Boxes boxes(1, 0);
+        Boxes::Part& part = boxes.parts.front();
+        const std::array<ContactBody, 1> bodies{
+            ContactBody{&part.state, &part.connections, &part.materials, BodyKind::deformable}};
+        ContactListing listing(bodies);
+        listing.setScheme(bodies, false);
+        const double a = bodies[0].spacing();
+        const auto list = [&](bool takesLittle) {
+            listing.lookAhead(takesLittle);
+            listing.listedSurfaces(1);
+            listing.end();
+            return listing.reachOfSurfaces() / a;
+        };
+        const auto stepsUntilDue = [&](double spacingsInStep) {
+            for (int step = 1; step <= 1000; ++step) {
+                listing.move(0.75 * spacingsInStep * a, 0.25 * spacingsInStep * a);
+                if (listing.areSurfacesDue(1))
+                    return step;
+            }
+            return 0;
+        };
+        const auto isNear = [](double value, double wanted) { return std::abs(value - wanted) < 1e-9; };
+        QVERIFY(listing.areSurfacesDue(1));
+        QVERIFY(isNear(list(true), 1.5)); // nothing is known of how things go
+        QVERIFY(listing.areSurfacesDue(2));
+        QCOMPARE(stepsUntilDue(0), 128); // the list is longer than it needs to be
+        QVERIFY(isNear(list(true), 0.25));
+        QCOMPARE(stepsUntilDue(0), 0);
+        QVERIFY(isNear(list(true), 0.25));
+        QCOMPARE(stepsUntilDue(0.007), 36); // 0.25 / 0.007
+        QVERIFY(isNear(list(true), 128 * 0.007));
+        QCOMPARE(stepsUntilDue(0.00701), 128);
+        QVERIFY(isNear(list(true), 128 * 0.00701));
+        QCOMPARE(stepsUntilDue(0.07), 13);
+        QVERIFY(isNear(list(true), 1.5)); // and no more
+        QCOMPARE(stepsUntilDue(0.07), 22);
+        QVERIFY(isNear(list(false), 0.5)); // where a point that does not touch takes time, and knives are
+        QCOMPARE(stepsUntilDue(0.00101), 496);
+        QVERIFY(isNear(list(false), 0.5));
+        listing.setScheme(bodies, true);
+        QVERIFY(isNear(list(true), 1.5)); // of which 1 is for a single step
+        QCOMPARE(stepsUntilDue(0), 0);
+    }
+
+    /// A ball and the floor press a box that shakes; lists as wide as they get at each step, or as they come.
+    void nothingDependsOnWhatElseIsListed()
+    {
+        Boxes asTheyCome(1, 0);
+        Boxes wide(1, 0);
+        const std::array<Boxes*, 2> both{&asTheyCome, &wide};
+        std::array<RigidSurface, 2> surfaces{
+            RigidSurface{.id = 0, .shape = {.kind = ToolKind::ball, .size = Vec3::Constant(8e-3)}, .friction = 0.3},
+            RigidSurface{.id = RigidSurface::floorId,
+                         .isFloor = true,
+                         .pose = {Vec3(0, 0, -3e-3), Quaternion::Identity()},
+                         .friction = 0.3}};
+        constexpr double duration = 1e-4;
+        std::size_t touched = 0;
+        std::size_t parted = 0;
+        std::size_t last = 0;
+        double friction = 0;
+        for (int step = 0; step < 6000; ++step) {
+            const double phase = 0.002 * step; // some thousandths of a spacing in a step
+            const Vec3 before = surfaces[0].pose.position;
+            surfaces[0].pose.position = Vec3(1e-3 * std::sin(phase), 0, 7.1e-3 - 0.4e-3 * std::sin(2 * phase));
+            if (step > 0)
+                surfaces[0].velocity = (surfaces[0].pose.position - before) / duration;
+            std::array<std::size_t, 2> counts{};
+            for (std::size_t n = 0; n < both.size(); ++n) {
+                Boxes& boxes = *both[n];
+                ObjectState& state = boxes.parts[0].state;
+                const VectorArray places = state.position;
+                boxes.move(0, [&](const Vec3& place) {
+                    return Vec3(place + Vec3(0, 0, 0.1e-3 * std::sin(3 * phase + 500 * place.x())));
+                });
+                for (std::size_t i = 0; step > 0 && i < state.size(); ++i)
+                    state.velocity.set(i, (state.position.at(i) - places.at(i)) / duration);
+                if (step == 0)
+                    boxes.contacts->setScheme({}, false);
+                if (n == 1)
+                    boxes.contacts->invalidate();
+                boxes.contacts->updateVicinity(surfaces, boxes.travel, surfaces[0].velocity.norm() * duration);
+                boxes.travel = 0;
+                state.force.setZero();
+                state.damping.setZero();
+                const Contacts::Report report = boxes.contacts->computeForces(surfaces, {.duration = duration});
+                counts[n] = report.count;
+                for (const Contacts::Friction& one : report.frictions)
+                    friction = std::max(friction, one.force.norm());
+            }
+            QCOMPARE(counts[0], counts[1]);
+            for (std::size_t i = 0; i < wide.parts[0].state.size(); ++i) {
+                QVERIFY(asTheyCome.parts[0].state.force.at(i) == wide.parts[0].state.force.at(i));
+                QVERIFY(asTheyCome.parts[0].state.damping.at(i) == wide.parts[0].state.damping.at(i));
+            }
+            touched = std::max(touched, counts[0]);
+            parted += counts[0] < last ? 1 : 0;
+            last = counts[0];
+        }
+        QVERIFY(friction > 0);
+        QVERIFY2(touched > 30 && parted > 10, qPrintable(QString("%1 %2").arg(touched).arg(parted)));
+    }
+
     void bodiesThatMeetInFlightTouch()
     {
         // From 20 mm apart, in steps much longer than the margin would allow a blind search.
