@@ -3,10 +3,10 @@
 #include "core/message/message.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 namespace knead {
 
@@ -19,6 +19,38 @@ constexpr double largestStretch = 16;
 // Where it jumps along an edge, triangles on it would be split without end. Edges need few passes to be half as long.
 constexpr int mostPasses = 16;
 
+/// Numbers by pairs of others, of which no more than `most` come, and most of them twice. Open addressing: refining does hardly more than
+/// ask.
+class NumberOfPair {
+public:
+    explicit NumberOfPair(std::size_t most)
+        : m_slots(std::bit_ceil(most + most / 4 + 1))
+    {
+    }
+
+    /// @return that of the pair, and whether it is the one that is offered here
+    std::pair<std::uint32_t, bool> find(std::uint64_t key, std::uint32_t offered)
+    {
+        constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U; // 2^64 by the golden ratio
+        const std::size_t mask = m_slots.size() - 1;
+        std::size_t slot = (key * spread >> 32U) & mask;
+        while (m_slots[slot].key != none && m_slots[slot].key != key)
+            slot = (slot + 1) & mask;
+        const bool isNew = m_slots[slot].key == none;
+        if (isNew)
+            m_slots[slot] = {key, offered};
+        return {m_slots[slot].number, isNew};
+    }
+
+private:
+    static constexpr std::uint64_t none = ~std::uint64_t{0};
+    struct Slot {
+        std::uint64_t key = none;
+        std::uint32_t number = 0;
+    };
+    std::vector<Slot> m_slots;
+};
+
 /// One pass: every edge that is too long gets a vertex in its middle, shared by its triangles.
 class Splitter {
 public:
@@ -30,30 +62,42 @@ public:
         , m_maximumSquared(maximumEdge * maximumEdge)
         , m_leastSquared(leastEdge * leastEdge)
     {
-        m_result.vertices = mesh.vertices;
-        m_result.triangles.reserve(mesh.triangles.size() * 2);
+        for (const Triangle& v : mesh.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                m_longEdges += isLong(v[i], v[(i + 1) % 3]) ? 1 : 0;
     }
 
-    bool hasSplit() const { return !m_middle.empty(); }
+    bool splits() const { return m_longEdges > 0; }
 
     TriangleMesh split()
     {
+        m_middle = NumberOfPair(m_longEdges);
+        m_result.vertices.reserve(m_mesh.vertices.size() + m_longEdges / 2);
+        m_result.vertices = m_mesh.vertices;
+        m_result.triangles.reserve(m_mesh.triangles.size() + m_longEdges);
+        if (!m_mesh.faceOfTriangle.empty())
+            m_result.faceOfTriangle.reserve(m_mesh.triangles.size() + m_longEdges);
         for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
             splitTriangle(t);
         return std::move(m_result);
     }
 
 private:
+    bool isLong(std::uint32_t a, std::uint32_t b) const
+    {
+        return !((m_places[a] - m_places[b]).squaredNorm() <= m_maximumSquared ||
+                 (m_mesh.vertices[a] - m_mesh.vertices[b]).squaredNorm() < m_leastSquared);
+    }
+
     std::optional<std::uint32_t> middle(std::uint32_t a, std::uint32_t b)
     {
-        if ((m_places[a] - m_places[b]).squaredNorm() <= m_maximumSquared ||
-            (m_mesh.vertices[a] - m_mesh.vertices[b]).squaredNorm() < m_leastSquared)
+        if (!isLong(a, b))
             return std::nullopt;
         const auto next = static_cast<std::uint32_t>(m_result.vertices.size());
-        const auto [place, isNew] = m_middle.try_emplace(pairKey(a, b), next);
+        const auto [number, isNew] = m_middle.find(pairKey(a, b), next);
         if (isNew)
             m_result.vertices.push_back(0.5 * (m_mesh.vertices[a] + m_mesh.vertices[b]));
-        return place->second;
+        return number;
     }
 
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t parent)
@@ -109,8 +153,9 @@ private:
     const std::vector<Vec3>& m_places;
     double m_maximumSquared;
     double m_leastSquared;
+    std::size_t m_longEdges = 0; ///< once for each triangle on them
     TriangleMesh m_result;
-    std::unordered_map<std::uint64_t, std::uint32_t> m_middle;
+    NumberOfPair m_middle{0}; ///< of the new vertices, by the ends of their edges
 };
 
 double longestEdge(const TriangleMesh& mesh, const std::vector<Vec3>& places)
@@ -156,9 +201,8 @@ TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, st
     int passes = 0;
     while (result.triangles.size() < most) {
         Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest), maximumEdge / largestStretch);
-        TriangleMesh next = splitter.split();
-        if (splitter.hasSplit() && passes < mostPasses) {
-            result = std::move(next);
+        if (splitter.splits() && passes < mostPasses) {
+            result = splitter.split();
             ++passes;
         } else if (0.5 * longest <= edge) {
             break;
