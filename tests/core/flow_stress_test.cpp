@@ -1,12 +1,15 @@
 // Flow stress of parts that were cut from the lattice in any direction: what is typed is what a testing machine finds.
 #include "core/aggregate/fill.h"
+#include "core/geometry/refine.h"
 #include "core/geometry/turn.h"
 #include "core/simulation/simulation.h"
+#include "core/skin/skin_stress.h"
 #include "support/scenes.h"
 #include "support/shapes.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace knead;
@@ -75,8 +78,31 @@ double plateForce(const Snapshot& shot, const Quaternion& turn)
     return 0.5 * (shot.tools[1].force - shot.tools[0].force).dot(turn * Vec3::UnitZ());
 }
 
-/// Between two plates without friction, by a share of its height. @return mean force over the last tenth of the way [N]
-double press(const Vec3& direction, double cells, const Material& material, double share, double duration)
+struct Pressing {
+    double force = 0;        ///< mean over the last tenth of the way [N]; 0: it did not get there
+    double largestMises = 0; ///< at the skin, in the end [Pa]
+};
+
+/// Largest von Mises stress at the skin of a lump that plates press along an axis [Pa].
+double largestMises(const Snapshot& shot, const Vec3& axis)
+{
+    const Snapshot::BodyState& body = shot.bodies[0];
+    const Aggregate& aggregate = *body.aggregate;
+    const double spacing = aggregate.lattice.spacing;
+    std::vector<ObjectIndex> pressed;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+        if (std::abs(aggregate.lattice.position(i).dot(axis)) > width / 2 - spacing)
+            pressed.push_back(i);
+    const Quaternion turn = turnOnto(Vec3::UnitZ(), axis);
+    const TriangleMesh skin = refine(shapes::moved(shapes::box({width, width, width}), {Vec3::Zero(), turn}), spacing);
+    const std::vector<Vec3> moved = body.displacements();
+    const ObjectStrains objects(aggregate, moved, *body.relaxed);
+    const auto stresses = SkinStress(aggregate, skin).stresses(objects, pressed, false).vonMises;
+    return static_cast<double>(*std::max_element(stresses.begin(), stresses.end()));
+}
+
+/// Between two plates without friction, by a share of its height.
+Pressing press(const Vec3& direction, double cells, const Material& material, double share, double duration)
 {
     const Quaternion turn = turnOnto(Vec3::UnitZ(), direction.normalized());
     Scene scene = implicitScene(bar(direction, width, cells, material), duration);
@@ -84,9 +110,11 @@ double press(const Vec3& direction, double cells, const Material& material, doub
     Simulation simulation(scene);
     stepUntil(simulation, 0.9 * duration);
     const auto shot = stepUntil(simulation, duration);
-    if (!shot->health.ok)
+    if (!shot->health.ok) {
         qWarning("%s", shot->health.message.english().c_str());
-    return shot->health.ok ? plateForce(*shot, turn) : 0;
+        return {};
+    }
+    return {plateForce(*shot, turn), largestMises(*shot, direction.normalized())};
 }
 
 /// Pulled at both ends by grips. @return mean force over the last tenth [N]
@@ -143,14 +171,16 @@ private slots:
         QFETCH(const double, cells);
         QFETCH(const double, tolerance);
         // Pressed by 22 %: volume stays, so the section grows; the mean is taken at 20.9 %.
-        const double pressed =
-            press(direction, cells, metal(1e7, 1e5, 0), 0.22, 0.25) * (1 - 0.209) / (width * width * 1e5);
+        const Pressing pressing = press(direction, cells, metal(1e7, 1e5, 0), 0.22, 0.25);
+        const double pressed = pressing.force * (1 - 0.209) / (width * width * 1e5);
         QVERIFY2(std::abs(pressed - 1) < tolerance, qPrintable(QString("pressed: %1").arg(pressed)));
         // Pulled to 1.22: it hardens, so that it stays even.
         const double strain = std::log(1.22);
         const double flow = (1e5 + 2e5 * strain) / 1.22;
         const double pulled = pull(direction, cells, metal(1e7, 1e5, 2e5), 0.22, 0.25) / (width * width * flow);
-        qInfo("pressed %.3f, pulled %.3f of the typed law", pressed, pulled);
+        qInfo("pressed %.3f, pulled %.3f of the typed law, von Mises at the skin up to %.3f", pressed, pulled,
+              pressing.largestMises / 1e5);
+        QVERIFY2(pressing.largestMises < 1.1e5, qPrintable(QString::number(pressing.largestMises)));
         QVERIFY2(std::abs(pulled - 1) < tolerance, qPrintable(QString("pulled: %1").arg(pulled)));
     }
 
@@ -170,9 +200,11 @@ private slots:
         QFETCH(const Vec3, direction);
         QFETCH(const double, ofFour);
         for (const auto& [cells, tolerance] : {std::pair(4.0, ofFour), std::pair(6.0, 0.04)}) {
-            const double pressed =
-                press(direction, cells, metal(1e7, 1e5, 0), 0.02, 0.25) * (1 - 0.019) / (width * width * 1e5);
-            qInfo("%g cells: %.3f of what was typed", cells, pressed);
+            const Pressing pressing = press(direction, cells, metal(1e7, 1e5, 0), 0.02, 0.25);
+            const double pressed = pressing.force * (1 - 0.019) / (width * width * 1e5);
+            qInfo("%g cells: %.3f of what was typed, von Mises at the skin up to %.3f", cells, pressed,
+                  pressing.largestMises / 1e5);
+            QVERIFY2(pressing.largestMises < 1.1e5, qPrintable(QString::number(pressing.largestMises)));
             QVERIFY2(std::abs(pressed - 1) < tolerance, qPrintable(QString::number(pressed)));
         }
     }
@@ -234,8 +266,8 @@ private slots:
     void doesNotDependOnTheTimeItTakes()
     {
         const Material steel = metal(2.1e11, 2.5e8, 0);
-        const double fast = press({0, 0, 1}, 4, steel, 0.22, 0.25);
-        const double slow = press({0, 0, 1}, 4, steel, 0.22, 20);
+        const double fast = press({0, 0, 1}, 4, steel, 0.22, 0.25).force;
+        const double slow = press({0, 0, 1}, 4, steel, 0.22, 20).force;
         QVERIFY2(slow > 0 && std::abs(fast / slow - 1) < 0.02, qPrintable(QString::number(fast / slow)));
         const double expected = 2.5e8 * width * width / (1 - 0.209);
         QVERIFY2(std::abs(slow / expected - 1) < 0.07, qPrintable(QString::number(slow / expected)));

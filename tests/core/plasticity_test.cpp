@@ -47,11 +47,11 @@ double middleWidth(const Aggregate& aggregate, const std::vector<Vec3>& places)
     return high - low;
 }
 
-Pressed press(const Material& material, double share)
+Pressed press(const Material& material, double share, double friction = 1)
 {
     const Body block = scenes::box({cells, cells, cells}, spacing, material);
     const Aggregate& aggregate = *block.aggregate;
-    scenes::Press how{.share = share};
+    scenes::Press how{.share = share, .friction = friction};
     Simulation simulation(scenes::pressedBlock(block, height, how));
     Pressed result;
     double work = 0;
@@ -99,16 +99,20 @@ private slots:
     void clayKeepsItsVolumeAndItsNewShape_data()
     {
         QTest::addColumn<double>("share");
+        QTest::addColumn<double>("friction");
         QTest::addColumn<double>("volumeError");
-        QTest::newRow("30 %") << 0.3 << 0.02;
-        QTest::newRow("50 %") << 0.5 << 0.04;
+        QTest::newRow("30 %") << 0.3 << 1.0 << 0.01;
+        QTest::newRow("50 %") << 0.5 << 1.0 << 0.02;
+        QTest::newRow("50 %, without friction") << 0.5 << 0.0 << 0.005;
     }
     void clayKeepsItsVolumeAndItsNewShape() // V13
     {
         QFETCH(double, share);
+        QFETCH(double, friction);
         QFETCH(double, volumeError);
-        const Pressed result = share == 0.3 ? pressedClay() : press(scenes::clay(), share);
+        const Pressed result = share == 0.3 ? pressedClay() : press(scenes::clay(), share, friction);
         QVERIFY2(result.health.ok, result.health.message.english().c_str());
+        QVERIFY(std::abs(result.volumePressed - 1) < volumeError);
         QVERIFY(std::abs(result.volumeAfter - 1) < volumeError);
         QVERIFY(result.springback < 0.10);
         const double heightAfter = 1 - share * (1 - result.springback);

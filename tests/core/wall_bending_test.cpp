@@ -1,6 +1,7 @@
 // Walls bend and twist as beam theory says at any number of cells across, whether the lattice divides them or not, along the
-// lattice and across it. KNEAD_WALL_SWEEP=1 measures every twentieth of a cell instead of a few numbers of cells.
+// lattice and across it. `./dev check deep` measures every twentieth of a cell instead of a few numbers of cells.
 #include "support/bars.h"
+#include "support/deep.h"
 #include "support/thread_limit.h"
 #include "support/turns.h"
 
@@ -24,15 +25,10 @@ using bars::Bar;
 
 constexpr double a = bars::spacing;
 
-bool isSweep()
-{
-    return qEnvironmentVariableIntValue("KNEAD_WALL_SWEEP") != 0;
-}
-
-/// A few numbers of cells; of a sweep, all in steps of a twentieth from the first to `last`.
+/// A few numbers of cells; where all is tried, all in steps of a twentieth from the first to `last`.
 std::vector<double> numbersOfCells(const std::vector<double>& few, double last)
 {
-    if (!isSweep())
+    if (!isDeep())
         return few;
     std::vector<double> all;
     for (auto i = static_cast<int>(std::lround(20 * few.front())); i <= static_cast<int>(std::lround(20 * last)); ++i)
@@ -79,7 +75,7 @@ Extremes extremes(const char* what, const std::vector<double>& numbers, Measure 
     Extremes found;
     for (const double cells : numbers) {
         const double value = measure(cells);
-        if (isSweep())
+        if (isDeep())
             qInfo("%s, %.2f cells: %.3f", what, cells, value);
         found.add(value);
     }

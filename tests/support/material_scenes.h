@@ -52,9 +52,10 @@ inline Scene pressedBlock(const Body& block, double height, const Press& press)
     return scene;
 }
 
-/// Volume of a block of cells from the places of its objects, by the mean edges of every cell.
+/// Volume of a block of cells from the places of its objects: of the trilinear map of every cell, by Gauss's rule, which is exact for it.
 inline double blockVolume(const Aggregate& aggregate, const std::vector<Vec3>& places)
 {
+    const double gauss = 0.5 / std::sqrt(3.0);
     double volume = 0;
     for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
         Vec3 corner[8];
@@ -68,12 +69,18 @@ inline double blockVolume(const Aggregate& aggregate, const std::vector<Vec3>& p
             if (whole)
                 corner[c] = places[object];
         }
-        if (!whole)
-            continue;
-        const Vec3 u = corner[1] + corner[3] + corner[5] + corner[7] - corner[0] - corner[2] - corner[4] - corner[6];
-        const Vec3 v = corner[2] + corner[3] + corner[6] + corner[7] - corner[0] - corner[1] - corner[4] - corner[5];
-        const Vec3 w = corner[4] + corner[5] + corner[6] + corner[7] - corner[0] - corner[1] - corner[2] - corner[3];
-        volume += std::abs(u.cross(v).dot(w)) / 64;
+        for (int point = 0; whole && point < 8; ++point) {
+            Mat3 jacobian = Mat3::Zero();
+            for (int c = 0; c < 8; ++c)
+                for (int along = 0; along < 3; ++along) {
+                    double slope = (c >> along & 1) != 0 ? 1 : -1;
+                    for (int across = 0; across < 3; ++across)
+                        if (across != along)
+                            slope *= 0.5 + ((c ^ point) >> across & 1 ? -gauss : gauss);
+                    jacobian.col(along) += slope * corner[c];
+                }
+            volume += std::abs(jacobian.determinant()) / 8;
+        }
     }
     return volume;
 }
