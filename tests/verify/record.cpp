@@ -81,6 +81,19 @@ bool holds(const Record& record, std::size_t quantity)
     });
 }
 
+bool isAsExpected(const Record& record)
+{
+    if (!record.calculix.trouble.empty())
+        return false;
+    for (std::size_t q = 0; q < record.what.quantities.size(); ++q) {
+        const Quantity& quantity = record.what.quantities[q];
+        if (quantity.expected == Expected::holds && std::isfinite(quantity.reference) && !holds(record, q))
+            return false;
+    }
+    return std::all_of(record.runs.begin(), record.runs.end(),
+                       [](const Outcome& run) { return run.trouble.empty() && run.imbalance <= allowedImbalance; });
+}
+
 std::string tableHead()
 {
     char line[240];

@@ -30,6 +30,10 @@ double orderOf(const Record& record, std::size_t quantity);
 /// Whether a quantity is within its tolerance at every spacing.
 bool holds(const Record& record, std::size_t quantity);
 
+/// Whether all is as the case expects it: it came to its end, with CalculiX where that was asked for, no energy is missing, and each
+/// quantity that is expected to hold does. What waits for CalculiX is not judged.
+bool isAsExpected(const Record& record);
+
 /// "value reference error ..." as one line per quantity.
 std::string tableOf(const Record& record);
 std::string tableHead();

@@ -73,6 +73,7 @@ int main(int count, char** arguments)
         std::filesystem::create_directories(calculixFolder());
         calculixFolder() = std::filesystem::absolute(calculixFolder());
         std::vector<Record> records;
+        std::string unexpected; // ids
         std::printf("%s\n", tableHead().c_str());
         for (const Case& one : allCases()) {
             if (!std::regex_search(one.id, pattern) || (options.quick && !one.quick))
@@ -83,6 +84,8 @@ int main(int count, char** arguments)
             }
             records.push_back(record(
                 one, {.calculix = options.calculix && !options.quick, .finer = options.finer && !options.quick}));
+            if (!isAsExpected(records.back()))
+                unexpected += " " + one.id;
             std::printf("%s", tableOf(records.back()).c_str());
             std::fflush(stdout);
             // After each case, so that a book that takes long can be read meanwhile.
@@ -91,7 +94,12 @@ int main(int count, char** arguments)
         }
         if (!options.list)
             std::printf("\n%s\n", (options.out / "index.html").c_str());
-        return EXIT_SUCCESS;
+        if (records.empty() && !options.list)
+            throw std::runtime_error("No case has such a name; --list shows them.");
+        if (unexpected.empty())
+            return EXIT_SUCCESS;
+        std::cerr << "Not as expected:" << unexpected << "\n";
+        return EXIT_FAILURE;
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";
         return EXIT_FAILURE;
