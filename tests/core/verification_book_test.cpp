@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -41,6 +42,36 @@ private slots:
             if (isAsked(made.what.quantities[q]))
                 QVERIFY2(holds(made, q), ("\n" + tableHead() + "\n" + tableOf(made)).c_str());
         QVERIFY2(made.runs.front().imbalance < 0.01, qPrintable(QString::number(made.runs.front().imbalance)));
+    }
+
+    /// What ./dev verify ends with 1 for.
+    void whatDoesNotHoldIsUnexpected()
+    {
+        const auto recordOf = [](double value, Expected expected = Expected::holds, double reference = 2) {
+            Record made;
+            made.what.quantities = {{"force", "N", reference, 0.1, Origin::closedForm, expected}};
+            made.cells = {4};
+            made.runs = {{.values = {value}}};
+            return made;
+        };
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(isAsExpected(recordOf(2.1)));
+        QVERIFY(!isAsExpected(recordOf(2.3)));
+        QVERIFY(!isAsExpected(recordOf(none)));
+        QVERIFY(isAsExpected(recordOf(2.3, Expected::notYet)));
+        QVERIFY(isAsExpected(recordOf(2.3, Expected::holds, none))); // it waits for CalculiX
+        Record finer = recordOf(2.1);
+        finer.runs.push_back({.values = {2.3}});
+        QVERIFY(!isAsExpected(finer));
+        Record lossy = recordOf(2.1, Expected::notYet);
+        lossy.runs[0].imbalance = 0.011;
+        QVERIFY(!isAsExpected(lossy));
+        Record stopped = recordOf(2.1, Expected::notYet);
+        stopped.runs[0].trouble = "It flew apart.";
+        QVERIFY(!isAsExpected(stopped));
+        Record withoutReference = recordOf(2.1);
+        withoutReference.calculix.trouble = "CalculiX did not converge.";
+        QVERIFY(!isAsExpected(withoutReference));
     }
 
     void casesAreToldApart()

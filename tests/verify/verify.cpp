@@ -92,10 +92,11 @@ int main(int count, char** arguments)
             write(options.out / "index.html", htmlOf(records));
             write(options.out / "verify.json", jsonOf(records));
         }
-        if (!options.list)
-            std::printf("\n%s\n", (options.out / "index.html").c_str());
-        if (records.empty() && !options.list)
+        if (options.list)
+            return EXIT_SUCCESS;
+        if (records.empty())
             throw std::runtime_error("No case has such a name; --list shows them.");
+        std::printf("\n%s\n", (options.out / "index.html").c_str());
         if (unexpected.empty())
             return EXIT_SUCCESS;
         std::cerr << "Not as expected:" << unexpected << "\n";
