@@ -104,10 +104,10 @@ private slots:
         QFETCH(double, locking);
         const Material material = rubber(nu, share, locking);
         Block block(material, {4, 3, 3});
-        std::vector<Vec3> stretches{{1, 1, 0.8}, {1, 1, 0.6}, {1, 1, 1.2}};
+        std::vector<Vec3> stretches{{1, 1, 0.8}, {1, 1, 0.5}, {1, 1, 1.2}, {1, 1, 2}};
         for (const double s : {0.5, 0.8, 1.25, 1.5, 2.0, 3.0})
             stretches.push_back(freeSideways(material, s, 2));
-        for (const double s : {0.8, 1.25, 1.5, 2.0})
+        for (const double s : {0.8, 1.25, 1.5, 2.0, 3.0})
             stretches.push_back(freeSideways(material, s, 1));
         for (const Vec3& stretch : stretches) {
             block.follow(stretch.asDiagonal());
@@ -128,7 +128,7 @@ private slots:
         for (const double share : {0.0, 0.4}) {
             const Material material = rubber(0.49, share);
             Block block(material, {3, 3, 3});
-            for (const double gamma : {0.01, 0.5, 1.0, 2.0}) {
+            for (const double gamma : {0.01, 0.5, 1.0, 2.0, 3.0}) {
                 Mat3 f = Mat3::Identity();
                 f(0, 1) = gamma;
                 block.follow(f);
