@@ -163,6 +163,8 @@ KNEAD_INLINE void withCount(const PointGroup& group, const With& with)
         with(4);
     else if (group.count == 8)
         with(8);
+    else if (group.count == 1)
+        with(1);
     else
         with(group.count);
 }
