@@ -159,6 +159,8 @@ void changes(Stream& bytes, Of<Stream, StructuralConnections::Changes>& changes,
         bytes.numbers(plastic.damage, sizes.objects);
     }
     bytes.numbers(changes.restDilatation, sizes.objects);
+    if (sizes.version >= 12)
+        bytes(changes.keptVolume);
     bytes.list(changes.broken, [&](auto& connection) {
         bytes(connection.direction);
         bytes(connection.lower);

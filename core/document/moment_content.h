@@ -13,7 +13,8 @@ namespace knead {
 /// friction holds against, which begins anew in older ones. 5: tools at their limit need no resistance, and steps have a pace. 6: bodies
 /// may have another filling than they were opened with. 7: knives and toughness. 8: what sticks to tools and floor. 9: what carries
 /// the former shape of a filling may be a filling that has one itself. 10: what was filled may have been in pieces.
-inline constexpr std::uint32_t momentVersion = 11;
+/// 11: tools roll. 12: what yields keeps its volume, which begins anew in older ones.
+inline constexpr std::uint32_t momentVersion = 12;
 
 /// What momentToBytes() packs: all of a moment, value after value.
 Bytes momentContent(const Moment& moment);

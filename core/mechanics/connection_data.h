@@ -20,6 +20,7 @@ namespace knead {
 struct ConnectionChanges {
     PlasticState plastic;
     LaneVector<double> restDilatation;    ///< per object: theta of no pressure
+    double keptVolume = 0;                ///< without pressure, see keepVolume() [m^3]; 0: sum V e^rest still is it
     std::vector<BrokenConnection> broken; ///< in the order of breaking
 };
 
@@ -34,8 +35,8 @@ inline double valueAt(const kernels::ObjectNumber& number, std::size_t i)
 }
 
 /// All that is known of the structural connections of one body. What is done with it is in connection_parameters.h,
-/// connection_stress.h, connection_forces.h, connection_flow.h, connection_fracture.h, connection_frequency.h and
-/// rubber_connections.h; StructuralConnections puts it together.
+/// connection_stress.h, connection_forces.h, connection_flow.h, connection_volume.h, connection_fracture.h,
+/// connection_frequency.h and rubber_connections.h; StructuralConnections puts it together.
 struct ConnectionData {
     ConnectionData(std::shared_ptr<const Aggregate> aggregate, const MaterialMap& materials);
 

@@ -4,6 +4,7 @@
 #include "core/mechanics/connection_parameters.h"
 #include "core/mechanics/connection_stress.h"
 #include "core/mechanics/connection_surroundings.h"
+#include "core/mechanics/connection_volume.h"
 #include "core/mechanics/kernel_views.h"
 #include "core/task/block_sums.h"
 
@@ -240,6 +241,7 @@ double renormalize(ConnectionData& data, const ObjectState& state, const std::ve
     ++data.lengthVersion;
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
     const double before = storedEnergy(data, state.position);
+    const double atRest = data.changes.keptVolume > 0 ? volumeAtRest(data) : 0;
     PlasticState& plastic = data.changes.plastic;
     forgetFlow(data);
     const DeformationGradients gradients(data, state.position, data.theta);
@@ -273,6 +275,8 @@ double renormalize(ConnectionData& data, const ObjectState& state, const std::ve
         kept /= std::cbrt(kept.determinant());
         setMetric(plastic, i, shape.transpose() * kept.inverse() * shape);
     }
+    if (atRest > 0)
+        data.changes.keptVolume *= volumeAtRest(data) / atRest;
     data.forgetEnergy();
     return before - storedEnergy(data, state.position);
 }

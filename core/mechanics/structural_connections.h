@@ -6,6 +6,7 @@
 #include "core/mechanics/connection_frequency.h"
 #include "core/mechanics/connection_parameters.h"
 #include "core/mechanics/connection_stress.h"
+#include "core/mechanics/connection_volume.h"
 
 #include <algorithm>
 #include <utility>
@@ -89,6 +90,15 @@ public:
     {
         return breakAll(m_data, state, connections, step);
     }
+
+    /// How clay keeps its volume, see connection_volume.h.
+    double flowedShare() const { return knead::flowedShare(m_data); }
+    double keepVolume(const VectorArray& position, double enclosed)
+    {
+        return knead::keepVolume(m_data, position, enclosed);
+    }
+    /// V0 of the body without pressure [m^3].
+    double keptVolume() const { return knead::keptVolume(m_data); }
 
     bool yields() const { return m_data.laws.anyYields(); }
     bool stiffensWhenSquashed() const { return m_data.tensors != nullptr; }

@@ -303,10 +303,8 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
 
     // What the map of the surface won or lost of the volume is compressed now, and comes out again.
     // Of all pieces together: objects on both sides of a fresh cut do not say how much of each piece is theirs.
-    double volume = 0;
+    const double volume = m_before.keptVolume();
     double volumeNow = 0;
-    for (ObjectIndex i = 0; i < from.size(); ++i)
-        volume += from.volume[i] * std::exp(old.restDilatation[i]);
     for (std::size_t i = 0; i < count; ++i)
         volumeNow += m_aggregate.volume[i] * std::exp(changes.restDilatation[i]);
     for (double& dilatation : changes.restDilatation)

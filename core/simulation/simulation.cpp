@@ -22,6 +22,7 @@ void Simulation::step()
     if (!state.watch.health.ok)
         return;
     state.refillWhereBad();
+    state.keepVolumes();
     if (state.stepAtRest()) {
         state.out.clock.end(Stage::motion);
         return;

@@ -59,15 +59,6 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
-/// Of the objects of a body since it was filled [m].
-std::vector<Vec3> displacementsOf(const BodyRun& run)
-{
-    std::vector<Vec3> displacements(run.state.size());
-    for (ObjectIndex i = 0; i < displacements.size(); ++i)
-        displacements[i] = run.state.position.at(i) - run.connections.aggregate().lattice.position(i);
-    return displacements;
-}
-
 /// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
 std::vector<GrownTogether> grownTogether(BodyId id, const BodyRun& run, const Joints& joints)
 {
@@ -75,7 +66,7 @@ std::vector<GrownTogether> grownTogether(BodyId id, const BodyRun& run, const Jo
     for (const Joint& joint : joints.all())
         if (joint.healed && joint.first.body == id && joint.second.body == id)
             healed.emplace_back(joint.first.object, joint.second.object);
-    return regrown(run.connections.aggregate(), displacementsOf(run), run.connections.changes().broken, healed);
+    return regrown(run.connections.aggregate(), run.displacements(), run.connections.changes().broken, healed);
 }
 
 /// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
@@ -289,7 +280,7 @@ void Simulation::State::refill(BodyId id, double spacing)
 {
     BodyRun& run = *runs[id];
     const double before = storedEnergy().imbalance;
-    const std::vector<Vec3> displacements = displacementsOf(run);
+    const std::vector<Vec3> displacements = run.displacements();
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
     const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
     const std::vector<GrownTogether> healed = grownTogether(id, run, contacts->joints());

@@ -45,6 +45,14 @@ BodyRun::BodyRun(const Body& body)
     connections.updateMaterials();
 }
 
+std::vector<Vec3> BodyRun::displacements() const
+{
+    std::vector<Vec3> displacements(state.size());
+    for (ObjectIndex i = 0; i < displacements.size(); ++i)
+        displacements[i] = state.position.at(i) - connections.aggregate().lattice.position(i);
+    return displacements;
+}
+
 std::vector<Message> bodyProblems(const Body& body)
 {
     if (!body.aggregate || body.aggregate->size() == 0)

@@ -12,6 +12,7 @@
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
 #include "core/skin/carried_cracks.h"
+#include "core/skin/enclosed_volume.h"
 #include "core/skin/new_filling.h"
 
 #include <deque>
@@ -35,15 +36,18 @@ struct BodyRun {
     bool anchored = false;            ///< some object is held
     std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
     PiecesOfBody pieces;
-    KnownFittings fittings;                  ///< of its filling, for the next one
-    std::unique_ptr<const CellShapes> cells; ///< null: not looked at yet
-    std::size_t brokenInCells = 0;           ///< connections that had broken then
+    KnownFittings fittings;                         ///< of its filling, for the next one
+    std::unique_ptr<const CellShapes> cells;        ///< null: not looked at yet
+    std::size_t brokenInCells = 0;                  ///< connections that had broken then
+    bool knowsEnclosed = false;                     ///< it has been looked for
+    std::unique_ptr<const EnclosedVolume> enclosed; ///< by its surface; null: not known
     std::shared_ptr<const std::vector<BrokenConnection>>
         published;                               ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed; ///< in the snapshot before; null: there was none
     std::uint64_t relaxedVersion = 0;            ///< of the lengths in that
 
     bool deforms() const { return kind == BodyKind::deformable; }
+    std::vector<Vec3> displacements() const; ///< of its objects since it was filled [m]
 };
 
 /// Objects that are held or moved, and what they feel. All per fixture; removed ones leave a gap.
@@ -187,6 +191,8 @@ struct Simulation::State {
     Contacts::Report lookAtContacts();
     void refill(BodyId body, double spacing);
     void refillWhereBad();
+    bool keepsVolume(BodyId body) const;
+    void keepVolumes();
     void takeFirstFilling(BodyId body);
 
     // Commands: simulation_commands.cpp.

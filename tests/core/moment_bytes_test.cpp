@@ -130,7 +130,8 @@ Bytes without(Bytes bytes, Stretches gone)
     return bytes;
 }
 
-/// Bytes of a moment of first fillings without what sticks to tools and floor, and without what rolls: as version 7 had them.
+/// Bytes of a moment of first fillings without what sticks to tools and floor, what rolls, and the volume that clay
+/// keeps: as version 7 had them.
 Bytes beforeSticking(const Moment& moment)
 {
     const Bytes whole = momentToBytes(moment);
@@ -155,6 +156,11 @@ Bytes beforeSticking(const Moment& moment)
             });
         }
     }
+    for (std::size_t b = 0; b < moment.bodies.size(); ++b)
+        forget(8, [&](Moment& other) {
+            double& volume = other.bodies[b].changes.keptVolume;
+            volume = inverted(volume);
+        });
     forget(8, [&](Moment& other) { other.around.floorAdhesion = inverted(other.around.floorAdhesion); });
     for (std::size_t h = 0; h < moment.contacts.holds.size(); ++h)
         forget(1, [&](Moment& other) {
@@ -320,6 +326,20 @@ private slots:
         QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
         QVERIFY(std::signbit(read[1]));
         QVERIFY(reader.atEnd());
+    }
+
+    void momentsOfTheEleventhVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        const Bytes whole = momentToBytes(*middle.moment);
+        Moment other = *middle.moment;
+        QCOMPARE(other.bodies.size(), 1);
+        other.bodies[0].changes.keptVolume = std::bit_cast<double>(~std::uint64_t{0});
+        Bytes old = without(whole, {{firstDifference(whole, momentToBytes(other)), 8}});
+        putSizes(old, 11);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+        QCOMPARE(read.bodies[0].changes.keptVolume, 0.0);
     }
 
     void momentsOfTheSeventhVersionAreRead()
