@@ -141,10 +141,8 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
             writeNoFlow(arguments, i, trial.metric, alpha, damage);
         return false;
     }
-    const Lanes time = valuesOf(arguments.numbers.flowTime, i);
-    Lanes within = all(1);
-    if (any(time > all(0)))
-        within = choose(time > all(0), 1 - exponential(larger(-flow.duration / time, all(-600))), all(1));
+    const Lanes duration = all(flow.duration + 1e-300);
+    const Lanes within = duration / (duration + valuesOf(arguments.numbers.flowTime, i));
     const Lanes modulus = shear * e.third;
     const Lanes beyond = within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus)));
     const Lanes share = choose(flows, 1 - 2 * modulus * beyond / norm, all(1));

@@ -19,12 +19,15 @@
 ///     e_b = ln(L / l) - (ln J_i + ln J_j) / 6,  e_d = ln(|F D| / l_b) - ln J / 3
 ///     N^2 = |s|^2 + max(0, 7.5 (2 mu)^2 sum_b k |D|^2 (e_b^2 - e_d^2) / sum_b k |D|^2)
 ///     Y = sqrt(2/3) (sigma_y + H alpha)
-///     N > Y:  dg = (1 - e^(-dt / tau)) (N - Y) / (2 mu t (1 + H / (3 mu t))),  S = 1 - 2 mu t dg / N (else 1)
+///     N > Y:  dg = dt / (dt + tau) (N - Y) / (2 mu t (1 + H / (3 mu t))),  S = 1 - 2 mu t dg / N (else 1)
 ///             s <- S s,  alpha += sqrt(2/3) dg,  b <- s / mu + t I, det b = 1,  C <- J^(-2/3) F^T b^-1 F
 /// and what a connection is strained beyond its two F relaxes by the same factor: r = ln(L / l) - (e_i + e_j) / 2 with
 /// e = ln(|F D| / l_b), q <- q + r (1 - (S_i + S_j) / 2).
 ///
-/// Sources: Simo (1988) for the multiplicative return; Tupek and Radovitzky (2014) and Silling (2017) for what stabilizes a
+/// Backward Euler of Perzyna's law, dg/dt = (N - Y) / (2 mu t tau): what flows steadily bears the same beyond its yield stress in steps of
+/// any length, sigma_eq = sigma_y + 3 mu tau times the rate of strain.
+///
+/// Sources: Simo (1988) for the multiplicative return; Perzyna (1966) for the rate; Tupek and Radovitzky (2014) and Silling (2017) for what stabilizes a
 /// deformation gradient that is fitted to connections.
 namespace knead::kernels {
 

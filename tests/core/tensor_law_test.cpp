@@ -123,6 +123,26 @@ private slots:
         QVERIFY(std::abs(left / beyond - std::exp(-1)) < 0.01);
     }
 
+    /// sigma_y + 3 mu tau times the rate of strain (Perzyna), whether a step is a hundredth of tau or sixteen times as long.
+    void steadyFlowBearsTheSameInStepsOfAnyLength()
+    {
+        constexpr double rate = 2; // [1/s]
+        Material slow = clay();
+        slow.relaxationTime = 0.002;
+        const double wanted = slow.yieldStress + 3 * slow.shearModulus() * slow.relaxationTime * rate;
+        QVERIFY(wanted > 1.2 * slow.yieldStress);
+        for (const double step : {2e-5, 2e-4, 0.002, 1.0 / 60, 1.0 / 30}) {
+            Block block(slow, {3, 3, 3});
+            Mat3 f = Mat3::Identity();
+            const int count = std::max(3, static_cast<int>(std::ceil(0.04 / step)));
+            for (int n = 1; n <= count; ++n) {
+                f = pulledAlong({1, 0, 0}, rate * step * n);
+                block.flow(f, step);
+            }
+            QVERIFY2(std::abs(vonMises(block.stress(f)) / wanted - 1) < 0.02, qPrintable(QString::number(step)));
+        }
+    }
+
     /// Places at random about a sheared shape, after a flow: what is left is elastic.
     void forcesAreTheGradientOfTheEnergy()
     {
