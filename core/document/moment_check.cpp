@@ -160,7 +160,7 @@ private:
         };
         return (changes.restDilatation.empty() || changes.restDilatation.size() == aggregate.size()) &&
                all(changes.restDilatation, [](double theta) { return std::isfinite(theta); }) &&
-               (changes.keptVolume == 0 || std::abs(std::log(changes.keptVolume / aggregate.filledVolume)) < 2) &&
+               (changes.keptVolume == 0 || std::abs(std::log(changes.keptVolume / aggregate.filledVolume)) < 20) &&
                all(changes.broken, canBreak);
     }
 

@@ -27,8 +27,8 @@
 /// Backward Euler of Perzyna's law, dg/dt = (N - Y) / (2 mu t tau): what flows steadily bears the same beyond its yield stress in steps of
 /// any length, sigma_eq = sigma_y + 3 mu tau times the rate of strain.
 ///
-/// Sources: Simo (1988) for the multiplicative return; Perzyna (1966) for the rate; Tupek and Radovitzky (2014) and Silling (2017) for what stabilizes a
-/// deformation gradient that is fitted to connections.
+/// Sources: Simo (1988) for the multiplicative return; Perzyna (1966) for the rate; Tupek and Radovitzky (2014) and Silling (2017) for
+/// what stabilizes a deformation gradient that is fitted to connections.
 namespace knead::kernels {
 
 /// Component pointers to the first object of a stretch.

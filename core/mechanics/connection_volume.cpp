@@ -85,7 +85,7 @@ double keepVolume(ConnectionData& data, const VectorArray& position, double encl
     const double pressed =
         sumOverObjects(data, [&](std::size_t i) { return volume[i] * std::exp(rest[i] + data.theta[i]); });
     const double whenFilled = sumOverObjects(data, [&](std::size_t i) { return volume[i]; });
-    // ln of what there is to be without pressure, by what was there at first: as far as what has flowed may take it.
+    // What is to be added without pressure, in ln V, less what was: as far as what has flowed may take it.
     const double share = flowedShare(data);
     const double lost = std::log(pressed / (enclosed * whenFilled));
     const double gap = std::clamp(lost, -mostAdded * share, mostAdded * share) - std::log(present / kept);

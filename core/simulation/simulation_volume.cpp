@@ -9,7 +9,7 @@ namespace knead {
 
 namespace {
 
-// Volume is lost slowly: it is looked at this often [steps]. More often, implicit steps make up to 2 % of the energy of a pressing.
+// Volume is lost slowly: it is looked at this often [steps]. A look costs as much as a part of a step.
 constexpr std::uint64_t looksInExplicitSteps = 128;
 constexpr std::uint64_t looksInImplicitSteps = 4;
 // A body is looked at when so much of its volume has flowed.

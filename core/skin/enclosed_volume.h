@@ -11,9 +11,9 @@ namespace knead {
 
 /// What the surface of a body encloses as its objects move, which is what is drawn, measured and exported.
 ///
-/// The surface is taken in triangles of about two spacings (of less where the part is small), and their sides as curved as the map of the skin makes them: with V1 of
-/// these triangles and V4 of the four that their halved edges make, V = (4 V4 - V1) / 3 (Richardson). A cube of clay pressed by half
-/// between plates that it sticks to is within 1e-4 of its surface in triangles of a quarter of a spacing.
+/// The surface is taken in triangles of about two spacings (of less where the part is small), and their sides as curved as the map of
+/// the skin makes them: with V1 of these triangles and V4 of the four that their halved edges make, V = (4 V4 - V1) / 3 (Richardson).
+/// Clay that was pressed by half is within a thousandth of its surface in triangles of a quarter of a spacing.
 ///
 /// Immutable; its members may be called from any thread.
 class EnclosedVolume {
