@@ -46,10 +46,10 @@ std::optional<Recovery> summaryOf(const std::string& folder)
     return recovery;
 }
 
-/// None when a window works on it.
+/// None when a window works on it. Another window that looks at the same time holds its lock only while it does.
 std::optional<Recovery> recoveryIn(const std::string& folder)
 {
-    const FileLock lock(recovery_files::lock(folder), false);
+    const FileLock lock = recovery_files::patientLock(folder, std::chrono::milliseconds(200));
     std::error_code error;
     const bool hasLock = fs::exists(recovery_files::lock(folder), error);
     if (hasLock && !lock.isHeld())

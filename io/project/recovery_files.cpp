@@ -30,9 +30,8 @@ std::string database(const std::string& folder)
     return (fs::path(folder) / parts[0]).string();
 }
 
-FileLock patientLock(const std::string& folder)
+FileLock patientLock(const std::string& folder, std::chrono::milliseconds patience)
 {
-    constexpr auto patience = std::chrono::milliseconds(500);
     const auto end = std::chrono::steady_clock::now() + patience;
     FileLock taken(lock(folder), false);
     while (taken.result() == FileLock::Result::taken && std::chrono::steady_clock::now() < end) {

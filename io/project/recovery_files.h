@@ -2,6 +2,7 @@
 
 #include "io/project/file_lock.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,9 +17,9 @@ namespace knead::recovery_files {
 std::string lock(const std::string& folder);
 std::string database(const std::string& folder);
 
-/// The lock of a folder that is there. Waits for half a second while others have it: whoever only looks what could be recovered
-/// holds it for milliseconds, too.
-FileLock patientLock(const std::string& folder);
+/// The lock of a folder that is there. Waits while others have it: whoever only looks what could be recovered holds it for
+/// milliseconds, too.
+FileLock patientLock(const std::string& folder, std::chrono::milliseconds patience = std::chrono::milliseconds(500));
 
 /// Makes it when it is not there. What was committed before a kill is there, and nothing else.
 /// @throws SQLite::Exception

@@ -361,6 +361,20 @@ private slots:
         QVERIFY(isEmpty());
     }
 
+    /// It has the lock for milliseconds, where a window that works on it keeps it.
+    void whatAnotherWindowLooksAtIsFoundToo()
+    {
+        RecoveryFile(m_folder).begin(m_project, {});
+        auto looks = std::make_unique<FileLock>(recovery_files::lock(findRecoveries(m_folder).at(0).folder));
+        QVERIFY(looks->isHeld());
+        std::vector<Recovery> found;
+        std::thread finder([&] { found = findRecoveries(m_folder); });
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        looks.reset();
+        finder.join();
+        QCOMPARE(found.size(), std::size_t{1});
+    }
+
     /// A disk of 512 KiB, which only root may make.
     void aFullDiskLeavesWhatWasKept()
     {
