@@ -175,14 +175,14 @@ void addSlopes(std::vector<Case>& cases)
                           block, BodyKind::deformable, steep, friction, 0.015, 0.3, 1000));
     cases.push_back(slope({.id = "stick",
                            .group = {},
-                           .title = "Block at 0.9 of its friction angle for 1 s",
+                           .title = "Block at 0.9 of its friction angle for 10 s",
                            .source = "It stays. As it settles its middle may move by a thousandth of a millimeter.",
                            .quantities = {{"way", "mm", 0, 0.01}},
                            .cells = 4,
                            .across = "the height",
                            .run = {},
                            .finer = {1.5}},
-                          block, BodyKind::deformable, flat, friction, 0.015, 1, 1000));
+                          block, BodyKind::deformable, flat, friction, 0.015, 10, 1000));
     for (const BodyKind kind : {BodyKind::rigid, BodyKind::deformable}) {
         const bool rigid = kind == BodyKind::rigid;
         cases.push_back(
