@@ -2,6 +2,8 @@
 
 #include "core/message/message.h"
 #include "core/model/length_units.h"
+#include "io/brep/moved_parts.h"
+#include "io/brep/occt_session.h"
 #include "io/document/size_limits.h"
 #include "io/document/unit_remark.h"
 #include "io/formats/cad_format.h"
@@ -54,6 +56,8 @@ Model importFile(const std::string& path, const ImportOptions& options, TaskCont
     Model model = readAs(kind, path, options, control);
     model.file = path;
     settleUnit(path, options.unit, model);
+    if (!options.shift.isZero(0))
+        guardOcct(path, [&] { moveParts(model, options.shift); });
     control.throwIfCancelled();
     control.report(1, "done");
     return model;

@@ -57,7 +57,7 @@ struct Services {
     ProjectServices projects;
     RecipeServices recipes;
 
-    WriteAndRead writeAndRead; ///< of parts that are deformed
+    WriteAndRead writeAndRead; ///< of parts that were deformed or kneaded
     ReadField readField;       ///< displacements of another program; may be empty
     TraceServices traces;
 };

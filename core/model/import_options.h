@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/vec3.h"
+
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct ImportOptions {
     bool onlyShapes = false;
     std::string unit;               ///< that lengths are taken in, whatever the file says; empty: as stated, or mm
     std::vector<std::string> parts; ///< Part::path of those wanted, or of assemblies; empty: all
+    Vec3 shift = Vec3::Zero();      ///< that parts are moved by [m]
     double memoryLimit = 0;         ///< of the process that reads [bytes]; 0: by the size of the file
     double timeLimit = 0;           ///< of processor time for reading [s]; 0: by the size of the file
 

@@ -18,15 +18,6 @@ void append(std::vector<Element>& from, std::vector<Element>& to)
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Adds to the numbers of the parts in a tree.
-void shift(PartNode& node, std::size_t by)
-{
-    if (node.part)
-        *node.part += by;
-    for (PartNode& child : node.children)
-        shift(child, by);
-}
-
 /// A text that all models share, or none.
 std::string common(const std::vector<Model>& models, std::string Model::*text)
 {
@@ -35,6 +26,19 @@ std::string common(const std::vector<Model>& models, std::string Model::*text)
 }
 
 } // namespace
+
+Message doubtOfOneAmongOthers(const UnitRemark& remark)
+{
+    return Message::sequence({remark.sentence, Message("Unit", "Open that file alone to correct it.")});
+}
+
+void shiftNumbers(PartNode& node, std::size_t by)
+{
+    if (node.part)
+        *node.part += by;
+    for (PartNode& child : node.children)
+        shiftNumbers(child, by);
+}
 
 Model joined(std::vector<Model> models)
 {
@@ -49,13 +53,12 @@ Model joined(std::vector<Model> models)
     for (Model& model : models) {
         for (Part& part : model.parts)
             part.path = model.tree.name + "/" + part.path;
-        shift(model.tree, all.parts.size());
+        shiftNumbers(model.tree, all.parts.size());
         append(model.parts, all.parts);
         append(model.warnings, all.warnings);
         append(model.missing, all.missing);
         if (model.unitRemark)
-            all.warnings.push_back(Message::sequence(
-                {model.unitRemark->sentence, Message("Unit", "Open that file alone to correct it.")}));
+            all.warnings.push_back(doubtOfOneAmongOthers(*model.unitRemark));
         all.tree.children.push_back(std::move(model.tree));
     }
     return all;

@@ -12,6 +12,12 @@ namespace knead {
 /// @param models at least one
 Model joined(std::vector<Model> models);
 
+/// As a warning where others are beside it.
+Message doubtOfOneAmongOthers(const UnitRemark& remark);
+
+/// Adds to the numbers of the parts in a tree.
+void shiftNumbers(PartNode& node, std::size_t by);
+
 /// The model with these parts in place of its own, in the tree that their paths describe.
 Model withParts(Model model, std::vector<Part> parts);
 

@@ -19,8 +19,8 @@ PartNode treeOfPaths(const std::vector<const Part*>& parts);
 /// Gives the nodes of a tree the products of those with the same names, in their order, in another.
 void takeProducts(const PartNode& from, PartNode& to);
 
-/// Which parts of a model are hidden when it takes the place of another one, of which these were, by deforming it or by taking that
-/// back: those of the same numbers, and pieces of hidden ones.
+/// Which parts of a model are hidden when it takes the place of another one, of which these were, by deforming it, by adding parts or by
+/// taking that back: those of the same numbers, pieces of hidden ones, and added ones that are hidden in their file.
 std::set<std::size_t> stillHidden(const std::set<std::size_t>& hidden, const Model& before, const Model& now);
 
 /// What Part::path was in versions that did not name the bodies of a product: theirs was that of the product, numbered.

@@ -16,7 +16,7 @@ namespace knead {
 std::vector<std::uint32_t> facesBefore(const TriangleMesh& now, std::size_t faces, const TriangleMesh& before);
 
 /// Fixtures of a content on the faces that theirs have become in another one. One whose body has come apart becomes several.
-/// @param origin per part of `after`: which one of `before` it was
+/// @param origin as PartsInstead::origin
 /// @param surfaceOf a body of `before`, where its surface is taken to
 std::vector<FaceFixture> fixturesAfter(const std::vector<FaceFixture>& fixtures, const FilledModel& before,
                                        const FilledModel& after, const std::vector<std::size_t>& origin,

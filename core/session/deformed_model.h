@@ -40,6 +40,7 @@ struct PresentShape {
 
 /// Carries parts through deformations: those with exact faces by way of a CAD file, whose faces, names and colors stay; meshes by
 /// their triangles. What was kneaded before is in it, also of parts that are not deformed.
+/// @param deformations null: none, parts as they are now
 /// @param which per part of the model; empty: all
 /// @throws Problem, in a sentence: nothing to deform, a map that is none. @throws Cancelled
 DeformedModel deformedModel(const Model& model, const PresentShape& now,

@@ -82,8 +82,9 @@ PreparedDeformation prepareDeformation(const FilledModel& before, const FramePoi
             return mesh;
         });
     };
-    PreparedModel prepared = prepareInstead(before, std::make_shared<const Model>(std::move(deformed.model)),
-                                            deformed.origin, *shown->snapshot, fixturesIn, filling);
+    PreparedModel prepared =
+        prepareInstead(before, {std::make_shared<const Model>(std::move(deformed.model)), deformed.origin},
+                       *shown->snapshot, fixturesIn, filling);
     return {.prepared = std::move(prepared),
             .report = std::move(deformed.report),
             .said = deformed.isOfRest ? saidOf(*before.model, request) : std::vector<RecipeDeformation>(),

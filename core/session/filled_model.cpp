@@ -246,17 +246,17 @@ PreparedModel prepareRecipe(RecipeStart recipe, TaskControl& control)
 namespace {
 
 /// As a moment has it, with the bodies of another content.
-/// @param origin per part of the content: which one of the content before it was
-Scene keptScene(const FilledModel& content, const std::vector<std::size_t>& origin, const FilledModel& before,
-                const Snapshot& now)
+Scene keptScene(const FilledModel& content, const PartsInstead& parts, const FilledModel& before, const Snapshot& now)
 {
     Scene scene = restScene(content);
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        scene.bodies[b].material = parts.material;
         for (std::size_t earlier = 0; earlier < before.bodies.size(); ++earlier)
-            if (before.bodies[earlier]->part == origin[content.bodies[b]->part]) {
+            if (before.bodies[earlier]->part == parts.origin[content.bodies[b]->part]) {
                 scene.bodies[b].material = now.materials[earlier];
                 scene.bodies[b].kind = now.bodies[earlier].kind;
             }
+    }
     for (const ToolState& tool : now.tools)
         scene.manipulators.push_back({.name = tool.name,
                                       .size = tool.size,
@@ -282,7 +282,8 @@ FilledModel filledAgain(std::shared_ptr<const Model> model, const ImportChoices&
 {
     TaskPortion filling(control, 0, preparedShare);
     ImportChoices request = choices;
-    request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
+    if (spacing > 0) // else there were only surfaces
+        request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     FilledModel content = fillModel(std::move(model), request, filling);
     if (content.bodies.empty() && !content.unfilled.empty())
         throw Problem(content.unfilled.begin()->second);
@@ -296,24 +297,45 @@ PreparedModel prepareRefill(const FilledModel& before, double spacing, const Sna
                             const std::vector<FaceFixture>& fixtures, TaskControl& control)
 {
     FilledModel content = filledAgain(before.model, before.request, spacing, control);
-    std::vector<std::size_t> same(before.model->parts.size());
-    std::iota(same.begin(), same.end(), std::size_t{0});
+    PartsInstead same{.model = before.model, .origin = std::vector<std::size_t>(before.model->parts.size())};
+    std::iota(same.origin.begin(), same.origin.end(), std::size_t{0});
     Scene scene = keptScene(content, same, before, now);
     scene.fixtures = sceneFixtures(content, fixtures);
     return withFrame(std::move(content), std::move(scene));
 }
 
-PreparedModel prepareInstead(const FilledModel& before, std::shared_ptr<const Model> model,
-                             const std::vector<std::size_t>& origin, const Snapshot& now,
+namespace {
+
+/// Those that hold no faces, on bodies whose objects are the same ones as before.
+void keepFixturesOfObjects(const FilledModel& content, const PartsInstead& parts, const FilledModel& before,
+                           const Snapshot& now, std::vector<Fixture>& fixtures)
+{
+    for (const Fixture& held : now.fixtures) {
+        if (std::ranges::count(fixtures, held.name, &Fixture::name) > 0)
+            continue;
+        const Lattice& then = now.bodies[held.body].aggregate->lattice;
+        for (BodyId body = 0; body < content.bodies.size(); ++body) {
+            const Lattice& lattice = content.bodies[body]->aggregate->lattice;
+            if (parts.origin[content.bodies[body]->part] == before.bodies[held.body]->part &&
+                lattice.nodes == then.nodes && lattice.origin == then.origin)
+                fixtures.push_back({held.name, body, held.objects});
+        }
+    }
+}
+
+} // namespace
+
+PreparedModel prepareInstead(const FilledModel& before, const PartsInstead& parts, const Snapshot& now,
                              const std::function<std::vector<FaceFixture>(const FilledModel&)>& fixturesIn,
                              TaskControl& control)
 {
-    FilledModel content = filledAgain(std::move(model), before.request, before.spacing, control);
-    Scene scene = keptScene(content, origin, before, now);
+    FilledModel content = filledAgain(parts.model, before.request, before.spacing, control);
+    Scene scene = keptScene(content, parts, before, now);
     if (scene.floorHeight) // what reaches below it now would be thrown up
         scene.floorHeight = std::min(*scene.floorHeight, content.box.min().z());
     std::vector<FaceFixture> fixtures = fixturesIn(content);
     scene.fixtures = sceneFixtures(content, fixtures);
+    keepFixturesOfObjects(content, parts, before, now, scene.fixtures);
     PreparedModel prepared = withFrame(std::move(content), std::move(scene));
     prepared.fixtures = std::move(fixtures);
     return prepared;

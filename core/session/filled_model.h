@@ -150,12 +150,18 @@ PreparedModel prepareRecipe(RecipeStart recipe, TaskControl& control);
 PreparedModel prepareRefill(const FilledModel& before, double spacing, const Snapshot& now,
                             const std::vector<FaceFixture>& fixtures, TaskControl& control);
 
-/// Fills other parts in place of those of a content, as prepareRefill() does: after they were deformed.
-/// @param origin per part: which one of the content's model it was
+/// Parts that take the place of those of a content.
+struct PartsInstead {
+    static constexpr auto none = static_cast<std::size_t>(-1);
+    std::shared_ptr<const Model> model;
+    std::vector<std::size_t> origin; ///< per part: which one of the content's model it was; `none`: it was not there
+    Material material = {};          ///< of those that were not there
+};
+
+/// Fills other parts in place of those of a content, as prepareRefill() does: after they were deformed, or others were added.
 /// @param fixturesIn the fixtures in the new content
 /// @throws as prepareFiles()
-PreparedModel prepareInstead(const FilledModel& before, std::shared_ptr<const Model> model,
-                             const std::vector<std::size_t>& origin, const Snapshot& now,
+PreparedModel prepareInstead(const FilledModel& before, const PartsInstead& parts, const Snapshot& now,
                              const std::function<std::vector<FaceFixture>(const FilledModel&)>& fixturesIn,
                              TaskControl& control);
 

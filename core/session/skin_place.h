@@ -55,10 +55,10 @@ std::optional<SkinPlace> placeNear(const RestPlace& place, const FilledBodies& b
 /// The same place on bodies that were filled anew; none when its part is no longer among them.
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after);
 
-/// Where the surfaces of bodies were taken when their parts were deformed.
+/// Where the surfaces of bodies were taken when their parts were deformed, or others came beside them.
 struct CarriedSurfaces {
     std::vector<std::vector<Vec3>> places; ///< per body: of the vertices of its mesh as it was shown [m]
-    std::vector<std::size_t> origin;       ///< per part after it: index of the part that it was before
+    std::vector<std::size_t> origin;       ///< per part after it: as PartsInstead::origin
 };
 
 /// The place of deformed bodies that a place has become: the nearest one of what its part has become; none when that has no bodies.

@@ -135,12 +135,14 @@ private:
             throw Problem(
                 followFromFiles()
                     ? Message("Recipe", "the files of its parts are not there any more; save the project first.")
-                    : Message("Recipe", "its parts were deformed after they were kneaded, or by a field whose file is "
-                                        "not there any more, and only a project keeps them so; save the project "
-                                        "first."));
+                    : Message("Recipe",
+                              "its parts were deformed after they were kneaded, or by a field whose file is "
+                              "not there any more, or others were added, and only a project keeps them so; save the "
+                              "project first."));
         if (!followFromFiles())
-            m_remarks.push_back(Message("Recipe", "The parts were deformed by numbers or by a field: the recipe "
-                                                  "takes them from the project, as they were then."));
+            m_remarks.push_back(Message("Recipe",
+                                        "The parts were deformed by numbers or by a field, or others were added: the "
+                                        "recipe takes them from the project, as they were then."));
         else if (!m_choices.namesProject)
             m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
                                                   "the recipe takes the parts from the project."));

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstring>
 
 namespace knead {
@@ -32,6 +33,8 @@ ImportOptions optionsOf(const Json& json)
     options.onlyShapes = json.at("onlyShapes").get<bool>();
     options.unit = json.at("unit").get<std::string>();
     options.parts = json.at("parts").get<std::vector<std::string>>();
+    const auto shift = json.at("shift").get<std::array<double, 3>>();
+    options.shift = Vec3(shift[0], shift[1], shift[2]);
     return options;
 }
 
@@ -58,6 +61,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
                     {"onlyShapes", request.options.onlyShapes},
                     {"unit", request.options.unit},
                     {"parts", request.options.parts},
+                    {"shift", {request.options.shift.x(), request.options.shift.y(), request.options.shift.z()}},
                     {"memory", request.limits.memory},
                     {"processorTime", request.limits.processorTime}};
     return {"knead-cad-worker", importCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};

@@ -495,10 +495,6 @@
         <translation>Teil &amp;hinzufügen...</translation>
     </message>
     <message>
-        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
-        <translation>Weitere Teile zusammen mit den offenen als eine Baugruppe öffnen: Die Arbeit beginnt neu</translation>
-    </message>
-    <message>
         <source>Save &amp;picture...</source>
         <translation>B&amp;ild speichern...</translation>
     </message>
@@ -609,6 +605,10 @@
     <message>
         <source>Show what you do as a script for Python, as you do it</source>
         <translation>Zeigen, was Sie tun, als Skript für Python, während Sie es tun</translation>
+    </message>
+    <message>
+        <source>Put the parts of other files beside those that are open, in the shape that these have now</source>
+        <translation>Teile anderer Dateien neben die geöffneten legen, in der Form, die diese jetzt haben</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1751,10 @@
         <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
         <translation>%1 läuft noch: warten, oder mit Esc abbrechen, und dann noch einmal verformen.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -2340,8 +2344,8 @@
         <translation>Nicht alles in %1 ist einwandfrei; der Exportbericht sagt, was nicht.</translation>
     </message>
     <message>
-        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
-        <translation>Nicht alles, was die Verformung ergab, ist einwandfrei; der Exportbericht sagt, was nicht. Rückgängig führt zum Teil zurück, wie es war.</translation>
+        <source>The shape that the parts have now is not sound everywhere; the export report says where. Undo goes back to the parts as they were.</source>
+        <translation>Die Form, die die Teile jetzt haben, ist nicht überall einwandfrei; der Exportbericht sagt, wo. Rückgängig führt zu den Teilen zurück, wie sie waren.</translation>
     </message>
 </context>
 <context>
@@ -4580,16 +4584,27 @@ Simuliert: %2, Schritt %3
         <translation>Teile hinzufügen</translation>
     </message>
     <message>
-        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
-        <translation>Woher diese Teile gelesen wurden, ist nicht bekannt, deshalb lässt sich nichts mit ihnen zusammen öffnen.</translation>
+        <source>Something else was done while parts were read, so none were added. Add them again.</source>
+        <translation>Während Teile gelesen wurden, ist etwas anderes geschehen, deshalb kamen keine hinzu. Fügen Sie sie noch einmal hinzu.</translation>
     </message>
     <message>
-        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
-        <translation>Beim Öffnen wurden nur einige Teile oder eine andere Einheit gewählt. Stattdessen alle Dateien zusammen öffnen, mit Datei &gt; Mit Auswahl öffnen.</translation>
+        <source>Add again</source>
+        <translation>Noch einmal hinzufügen</translation>
     </message>
     <message>
-        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
-        <translation>Mit weiteren Teilen wird alles neu geöffnet, in den Formen der Dateien.</translation>
+        <source>Adding %1</source>
+        <translation>%1 wird hinzugefügt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und eine weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put beside other things or on the floor, where there is room: %1.</source>
+        <translation>Neben anderes oder auf den Boden gelegt, wo Platz ist: %1.</translation>
     </message>
 </context>
 <context>
@@ -7776,10 +7791,6 @@ Simuliert: %2, Schritt %3
         <translation>muss beide Schlüssel kept_faces und fade_mm haben oder keinen.</translation>
     </message>
     <message>
-        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
-        <translation>Die Teile wurden mit Zahlen oder einem Feld verformt: das Rezept nimmt sie aus dem Projekt, wie sie dann waren.</translation>
-    </message>
-    <message>
         <source>parts beside the first that were placed cannot be written.</source>
         <translation>Teile neben dem ersten, die platziert wurden, lassen sich nicht schreiben.</translation>
     </message>
@@ -7808,16 +7819,20 @@ Simuliert: %2, Schritt %3
         <translation>muss mindestens einen Körper nennen.</translation>
     </message>
     <message>
-        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
-        <translation>ihre Teile wurden verformt, nachdem sie geknetet worden waren, oder mit einem Feld, dessen Datei nicht mehr da ist, und nur ein Projekt bewahrt sie so; zuerst das Projekt speichern.</translation>
-    </message>
-    <message>
         <source>must have one item for each object</source>
         <translation>muss für jedes Objekt einen Eintrag haben</translation>
     </message>
     <message>
         <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
         <translation>kann nicht durch Physik geschehen, da Griffe die Enden nicht ändern; in „deform“ angeben.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, or others were added, and only a project keeps them so; save the project first.</source>
+        <translation>ihre Teile wurden verformt, nachdem sie geknetet wurden, oder durch ein Feld, dessen Datei nicht mehr da ist, oder es kamen andere hinzu, und nur ein Projekt bewahrt sie so; speichern Sie zuerst das Projekt.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field, or others were added: the recipe takes them from the project, as they were then.</source>
+        <translation>Die Teile wurden durch Zahlen oder durch ein Feld verformt, oder es kamen andere hinzu: das Rezept nimmt sie aus dem Projekt, wie sie dann waren.</translation>
     </message>
 </context>
 <context>

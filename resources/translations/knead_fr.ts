@@ -495,10 +495,6 @@
         <translation>Ajouter une &amp;pièce...</translation>
     </message>
     <message>
-        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
-        <translation>Ouvrir d&apos;autres pièces avec celles qui sont ouvertes, en un assemblage&#xa0;: le travail recommence</translation>
-    </message>
-    <message>
         <source>Save &amp;picture...</source>
         <translation>Enregistrer une &amp;image...</translation>
     </message>
@@ -609,6 +605,10 @@
     <message>
         <source>Show what you do as a script for Python, as you do it</source>
         <translation>Montrer ce que vous faites comme script Python, au fur et à mesure</translation>
+    </message>
+    <message>
+        <source>Put the parts of other files beside those that are open, in the shape that these have now</source>
+        <translation>Mettre les pièces d&apos;autres fichiers à côté de celles qui sont ouvertes, dans la forme qu&apos;elles ont maintenant</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1751,10 @@
         <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
         <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis déformez de nouveau.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -2340,8 +2344,8 @@
         <translation>Tout n&apos;est pas sain dans %1&#xa0;; le rapport d&apos;exportation dit quoi.</translation>
     </message>
     <message>
-        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
-        <translation>Tout ce que la déformation a donné n&apos;est pas sain ; le rapport d&apos;exportation dit quoi. Annuler revient à la pièce telle qu&apos;elle était.</translation>
+        <source>The shape that the parts have now is not sound everywhere; the export report says where. Undo goes back to the parts as they were.</source>
+        <translation>La forme que les pièces ont maintenant n&apos;est pas saine partout ; le rapport d&apos;exportation dit où. Annuler ramène aux pièces telles qu&apos;elles étaient.</translation>
     </message>
 </context>
 <context>
@@ -4580,16 +4584,27 @@ Simulé&#xa0;: %2, pas %3
         <translation>Ajouter des pièces</translation>
     </message>
     <message>
-        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
-        <translation>On ne sait pas d&apos;où ces pièces ont été lues&#xa0;; rien ne peut donc être ouvert avec elles.</translation>
+        <source>Something else was done while parts were read, so none were added. Add them again.</source>
+        <translation>Autre chose a été fait pendant la lecture des pièces, si bien qu&apos;aucune n&apos;a été ajoutée. Ajoutez-les de nouveau.</translation>
     </message>
     <message>
-        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
-        <translation>Seules certaines pièces, ou une autre unité, ont été choisies à l&apos;ouverture. Ouvrez plutôt tous les fichiers ensemble, avec Fichier &gt; Ouvrir avec des choix.</translation>
+        <source>Add again</source>
+        <translation>Ajouter de nouveau</translation>
     </message>
     <message>
-        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
-        <translation>Avec des pièces ajoutées, tout est rouvert, dans les formes des fichiers.</translation>
+        <source>Adding %1</source>
+        <translation>Ajout de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n autre</numerusform>
+            <numerusform>%1 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put beside other things or on the floor, where there is room: %1.</source>
+        <translation>Placé à côté d&apos;autre chose ou sur le sol, là où il y a de la place : %1.</translation>
     </message>
 </context>
 <context>
@@ -7776,10 +7791,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>doit avoir les deux clés kept_faces et fade_mm, ou aucune.</translation>
     </message>
     <message>
-        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
-        <translation>Les pièces ont été déformées par des nombres ou par un champ : la recette les prend dans le projet, telles qu&apos;elles étaient alors.</translation>
-    </message>
-    <message>
         <source>parts beside the first that were placed cannot be written.</source>
         <translation>des pièces placées à côté de la première ne peuvent pas être écrites.</translation>
     </message>
@@ -7808,16 +7819,20 @@ Simulé&#xa0;: %2, pas %3
         <translation>doit nommer au moins un corps.</translation>
     </message>
     <message>
-        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
-        <translation>ses pièces ont été déformées après avoir été pétries, ou par un champ dont le fichier n’est plus là, et seul un projet les garde ainsi ; enregistrez d’abord le projet.</translation>
-    </message>
-    <message>
         <source>must have one item for each object</source>
         <translation>doit avoir un élément pour chaque objet</translation>
     </message>
     <message>
         <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
         <translation>ne peut pas se faire par la physique, car les prises ne changent pas les extrémités ; dites-le dans « deform ».</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, or others were added, and only a project keeps them so; save the project first.</source>
+        <translation>ses pièces ont été déformées après avoir été pétries, ou par un champ dont le fichier n&apos;est plus là, ou d&apos;autres ont été ajoutées, et seul un projet les garde ainsi ; enregistrez d&apos;abord le projet.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field, or others were added: the recipe takes them from the project, as they were then.</source>
+        <translation>Les pièces ont été déformées par des nombres ou par un champ, ou d&apos;autres ont été ajoutées : la recette les prend dans le projet, telles qu&apos;elles étaient alors.</translation>
     </message>
 </context>
 <context>

@@ -495,10 +495,6 @@
         <translation>Onderdeel &amp;toevoegen...</translation>
     </message>
     <message>
-        <source>Open more parts together with those that are open, as one assembly: the work begins anew</source>
-        <translation>Meer onderdelen samen met de geopende als één samenstelling openen: het werk begint opnieuw</translation>
-    </message>
-    <message>
         <source>Save &amp;picture...</source>
         <translation>Af&amp;beelding opslaan...</translation>
     </message>
@@ -609,6 +605,10 @@
     <message>
         <source>Show what you do as a script for Python, as you do it</source>
         <translation>Tonen wat u doet als script voor Python, terwijl u het doet</translation>
+    </message>
+    <message>
+        <source>Put the parts of other files beside those that are open, in the shape that these have now</source>
+        <translation>Onderdelen van andere bestanden naast de geopende leggen, in de vorm die deze nu hebben</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1751,10 @@
         <source>%1 is still going on: wait for it, or cancel it with Esc, then deform again.</source>
         <translation>%1 is nog bezig: wacht erop of annuleer met Esc, en vervorm dan opnieuw.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 toevoegen</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -2340,8 +2344,8 @@
         <translation>Niet alles in %1 is in orde; het exportverslag zegt wat niet.</translation>
     </message>
     <message>
-        <source>Not all that the deformation made is sound; the export report says what is not. Undo goes back to the part as it was.</source>
-        <translation>Niet alles wat de vervorming opleverde is in orde; het exportverslag zegt wat niet. Ongedaan maken gaat terug naar het onderdeel zoals het was.</translation>
+        <source>The shape that the parts have now is not sound everywhere; the export report says where. Undo goes back to the parts as they were.</source>
+        <translation>De vorm die de onderdelen nu hebben is niet overal in orde; het exportverslag zegt waar. Ongedaan maken leidt terug naar de onderdelen zoals ze waren.</translation>
     </message>
 </context>
 <context>
@@ -4580,16 +4584,27 @@ Gesimuleerd: %2, stap %3
         <translation>Onderdelen toevoegen</translation>
     </message>
     <message>
-        <source>Where these parts were read from is not known, so nothing can be opened together with them.</source>
-        <translation>Waar deze onderdelen vandaan komen is niet bekend, dus er kan niets samen mee worden geopend.</translation>
+        <source>Something else was done while parts were read, so none were added. Add them again.</source>
+        <translation>Terwijl onderdelen gelezen werden, is er iets anders gedaan; daarom kwam er geen bij. Voeg ze opnieuw toe.</translation>
     </message>
     <message>
-        <source>Only some parts, or another unit, were chosen when these were opened. Open all files together instead, with File &gt; Open with choices.</source>
-        <translation>Bij het openen zijn alleen enkele onderdelen of een andere eenheid gekozen. Open in plaats daarvan alle bestanden samen, met Bestand &gt; Openen met keuzes.</translation>
+        <source>Add again</source>
+        <translation>Opnieuw toevoegen</translation>
     </message>
     <message>
-        <source>With parts added, everything is opened anew, in the shapes of the files.</source>
-        <translation>Met toegevoegde onderdelen wordt alles opnieuw geopend, in de vormen van de bestanden.</translation>
+        <source>Adding %1</source>
+        <translation>%1 wordt toegevoegd</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog een</numerusform>
+            <numerusform>%1 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put beside other things or on the floor, where there is room: %1.</source>
+        <translation>Naast iets anders of op de vloer gelegd, waar plaats is: %1.</translation>
     </message>
 </context>
 <context>
@@ -7776,10 +7791,6 @@ Gesimuleerd: %2, stap %3
         <translation>moet beide sleutels kept_faces en fade_mm hebben, of geen van beide.</translation>
     </message>
     <message>
-        <source>The parts were deformed by numbers or by a field: the recipe takes them from the project, as they were then.</source>
-        <translation>De onderdelen zijn met getallen of met een veld vervormd: het recept neemt ze uit het project, zoals ze toen waren.</translation>
-    </message>
-    <message>
         <source>parts beside the first that were placed cannot be written.</source>
         <translation>onderdelen die naast het eerste zijn geplaatst kunnen niet worden geschreven.</translation>
     </message>
@@ -7808,16 +7819,20 @@ Gesimuleerd: %2, stap %3
         <translation>moet minstens één lichaam noemen.</translation>
     </message>
     <message>
-        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, and only a project keeps them so; save the project first.</source>
-        <translation>de onderdelen zijn vervormd nadat ze gekneed waren, of door een veld waarvan het bestand er niet meer is, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
-    </message>
-    <message>
         <source>must have one item for each object</source>
         <translation>moet voor elk object één onderdeel hebben</translation>
     </message>
     <message>
         <source>cannot be done by physics, since grips do not change the ends; say it in &quot;deform&quot;.</source>
         <translation>kan niet door fysica, omdat grepen de uiteinden niet veranderen; zeg het in &quot;deform&quot;.</translation>
+    </message>
+    <message>
+        <source>its parts were deformed after they were kneaded, or by a field whose file is not there any more, or others were added, and only a project keeps them so; save the project first.</source>
+        <translation>zijn onderdelen zijn vervormd nadat ze gekneed zijn, of door een veld waarvan het bestand er niet meer is, of er kwamen andere bij, en alleen een project bewaart ze zo; sla eerst het project op.</translation>
+    </message>
+    <message>
+        <source>The parts were deformed by numbers or by a field, or others were added: the recipe takes them from the project, as they were then.</source>
+        <translation>De onderdelen zijn vervormd door getallen of door een veld, of er kwamen andere bij: het recept neemt ze uit het project, zoals ze toen waren.</translation>
     </message>
 </context>
 <context>

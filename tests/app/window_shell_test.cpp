@@ -20,7 +20,6 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
@@ -687,25 +686,6 @@ private slots:
         QAction* another = action("newWindow");
         QVERIFY(another != nullptr && another->isEnabled()); // without a part, too
         QCOMPARE(another->shortcut(), QKeySequence("Ctrl+N"));
-    }
-
-    void partsAreAddedToThoseThatAreOpen()
-    {
-        openExample("bar.step", 10);
-        QCOMPARE(document().content().model->parts.size(), std::size_t{1});
-        m_window->projects().saveTo(QDir(m_folder.path()).filePath("one.knead"));
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified() && !m_window->tasks().isRunning(), patience);
-        m_window->features().imports->addParts({example("plate.step")});
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && document().content().bodies.size() == 2, patience);
-        QCOMPARE(document().content().request.paths.size(), std::size_t{2});
-        action("gravity")->trigger();
-        QTRY_VERIFY(m_window->projects().isModified());
-        m_window->features().imports->addParts({example("lump.step")});
-        QTRY_VERIFY(find<QMessageBox>("saveQuestion") != nullptr);
-        const QString loss = find<QMessageBox>("saveQuestion")->informativeText();
-        QVERIFY2(loss.contains("everything is opened anew"), qPrintable(loss));
-        QTest::keyClick(find<QMessageBox>("saveQuestion"), Qt::Key_Escape);
-        QCOMPARE(document().content().bodies.size(), std::size_t{2});
     }
 
     void theFirstPageShowsExamplesAndFilesOfLateAsPictures()

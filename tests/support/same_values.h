@@ -290,8 +290,8 @@ inline auto members(const Model& v)
 }
 inline auto members(const ImportOptions& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const SpacingChoice& v)
 {

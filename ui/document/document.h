@@ -82,9 +82,9 @@ public:
     void open(PreparedModel prepared);
     /// Shows the same model filled anew: the next entry of the history.
     void refill(PreparedModel prepared, const Message& name = {});
-    /// Shows what a deformation has made of the parts: the next entry of the history.
+    /// Shows what a deformation has made of the parts, or others beside them: the next entry of the history.
     void deform(PreparedDeformation done, const Message& name);
-    /// While Change::Model tells of a deformation: where it took the surfaces that were shown. Null else.
+    /// While Change::Model tells of that: where it took the surfaces that were shown. Null else.
     const CarriedSurfaces* carried() const { return m_carried; }
     /// Counts documents: another number, another document.
     std::uint64_t opening() const { return m_opening; }

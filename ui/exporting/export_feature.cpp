@@ -169,8 +169,8 @@ void ExportFeature::showDeformed(const ExportReport& report)
         return;
     m_bench.docks.show("exportDock");
     m_bench.notices.problem(
-        tr("Not all that the deformation made is sound; the export report says what is not. Undo goes "
-           "back to the part as it was."));
+        tr("The shape that the parts have now is not sound everywhere; the export report says where. Undo goes "
+           "back to the parts as they were."));
 }
 
 void ExportFeature::showExport(const std::vector<ExportReport>& reports)

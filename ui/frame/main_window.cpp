@@ -209,6 +209,7 @@ void MainWindow::makeFeatures()
     f.hands = new HandsFeature(bench, *m_modes);
     f.deforming = new DeformFeature(bench, *m_modes);
     connect(f.deforming, &DeformFeature::applied, f.exports, &ExportFeature::showDeformed);
+    connect(f.imports, &ImportFeature::shapesTaken, f.exports, &ExportFeature::showDeformed);
     f.recording = new RecordingFeature(bench);
     f.trace = new TraceFeature(bench, f.projects->keeper());
     f.selection = new SelectionFeature(

@@ -25,6 +25,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace knead {
@@ -32,6 +33,14 @@ namespace knead {
 namespace {
 
 constexpr qint64 largeFile = 4'000'000; // [bytes]; reading takes seconds, so that a person should choose first
+
+/// "a.step", or "a.step and 2 more".
+QString namesOf(const QStringList& paths)
+{
+    const QString first = QFileInfo(paths.front()).fileName();
+    const auto others = static_cast<int>(paths.size()) - 1;
+    return others == 0 ? first : ImportFeature::tr("%1 and %n more", nullptr, others).arg(first);
+}
 
 } // namespace
 
@@ -43,8 +52,8 @@ ImportFeature::Actions::Actions(QWidget& window)
           {"openWithChoices", QT_TRANSLATE_NOOP("Actions", "Open with &choices..."), nullptr, "Ctrl+Shift+O",
            QT_TRANSLATE_NOOP("Actions", "Look into files and choose parts, detail and units before they are opened")}))
     , addPart(makeAction(window, {"addPart", QT_TRANSLATE_NOOP("Actions", "Add &part..."), nullptr, "",
-                                  QT_TRANSLATE_NOOP("Actions", "Open more parts together with those that are open, as "
-                                                               "one assembly: the work begins anew")}))
+                                  QT_TRANSLATE_NOOP("Actions", "Put the parts of other files beside those that "
+                                                               "are open, in the shape that these have now")}))
 {
 }
 
@@ -174,28 +183,75 @@ void ImportFeature::askForParts()
     askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { addParts(paths); });
 }
 
-/// A session is of one model, so a new one begins.
 void ImportFeature::addParts(const QStringList& paths)
 {
-    if (m_bench.document.isEmpty())
+    if (m_bench.document.isEmpty() || paths.empty() || m_bench.isBusy())
         return;
-    ImportChoices request = m_bench.document.content().request;
-    if (request.paths.empty()) {
-        m_bench.notices.problem(tr("Where these parts were read from is not known, so nothing can be opened together "
-                                   "with them."));
+    m_bench.notices.hide();
+    m_bench.document.pause();
+    m_bench.document.whenSettled([this, paths] {
+        if (!m_bench.document.isEmpty() && !m_bench.isBusy())
+            startAdding(paths);
+    });
+}
+
+void ImportFeature::startAdding(const QStringList& paths)
+{
+    constexpr int untilNextLook = 20; // [ms]
+    if (m_bench.document.isEmpty() || m_bench.isBusy())
+        return;
+    if (!m_bench.document.showsEdits()) { // a frame of what was done last is on its way
+        QTimer::singleShot(untilNextLook, this, [this, paths] { startAdding(paths); });
         return;
     }
-    if (!request.options.parts.empty() || !request.options.unit.empty()) {
-        m_bench.notices.problem(
-            tr("Only some parts, or another unit, were chosen when these were opened. Open all files "
-               "together instead, with File > Open with choices."));
-        return;
-    }
+    AdditionRequest request{.paths = {}, .material = startMaterial(m_bench.services.materials)};
     for (const QString& path : paths)
         request.paths.push_back(QFile::encodeName(path).toStdString());
-    request.spacing.reset(); // it was chosen for fewer
-    m_projects.keeper().letGo(tr("With parts added, everything is opened anew, in the shapes of the files."),
-                              [this, request] { open(request); });
+    const auto work = [before = m_bench.document.content(), shown = m_bench.document.frame(),
+                       fixtures = m_bench.document.fixtures().list(), request, import = m_bench.services.import,
+                       writeAndRead = m_bench.services.writeAndRead](TaskControl& control) {
+        return prepareAddition(before, shown, fixtures, request, import, writeAndRead, control);
+    };
+    const auto finish = [this, paths, edits = m_bench.document.edits()](PreparedAddition addition) {
+        if (m_bench.document.isEmpty())
+            return;
+        if (m_bench.document.edits() == edits && !m_bench.document.isGoing())
+            showAdded(std::move(addition), paths);
+        else
+            m_bench.notices.problem(
+                tr("Something else was done while parts were read, so none were added. Add them again."),
+                tr("Add again"), [this, paths] { addParts(paths); });
+    };
+    m_bench.tasks.run<PreparedAddition>(tr("Adding %1").arg(namesOf(paths)), work, finish);
+}
+
+void ImportFeature::showAdded(PreparedAddition addition, const QStringList& paths)
+{
+    const FilledModel before = m_bench.document.content();
+    const std::vector<std::size_t> origin = addition.done.carried.origin;
+    const ExportReport report = std::move(addition.done.report);
+    m_bench.document.deform(std::move(addition.done), Message("Document", "Add %1").with(namesOf(paths).toStdString()));
+    for (const QString& path : std::views::reverse(paths)) // the first one is the first of the list
+        m_projects.addRecent(path);
+    const FilledModel& content = m_bench.document.content();
+    const auto body = std::ranges::find(content.bodies, addition.first, &FilledBody::part);
+    if (body != content.bodies.end())
+        m_bench.document.select({Selection::Kind::Body, static_cast<BodyId>(body - content.bodies.begin())});
+    if (!addition.moved.empty()) {
+        QStringList moved;
+        for (const std::string& path : addition.moved)
+            moved << QFile::decodeName(path.c_str());
+        m_bench.notices.remark(
+            tr("Put beside other things or on the floor, where there is room: %1.").arg(namesOf(moved)));
+    }
+    for (const auto& [part, why] : content.unfilled)
+        if (origin[part] == PartsInstead::none || !before.unfilled.contains(origin[part]))
+            m_bench.notices.problem(said(Message("ImportFeature", "\"%1\" is not simulated: %2")
+                                             .with(m_bench.document.nameOfPart(part).toStdString(), why)));
+    for (const Message& missing : addition.missing)
+        m_bench.notices.problem(said(missing));
+    if (!report.parts.empty())
+        emit shapesTaken(report);
 }
 
 void ImportFeature::askForChoices(std::vector<FilePreview> previews)
@@ -284,8 +340,9 @@ void ImportFeature::showImport()
 {
     const FilledModel& content = m_bench.document.content();
     const Model& model = *content.model;
-    m_panel->show(content);
-    if (m_bench.document.history().tree().records().size() > 1)
+    const bool isAsRead = content.model == m_bench.document.opened();
+    m_panel->show(content, isAsRead);
+    if (!isAsRead || m_bench.document.history().tree().records().size() > 1)
         return;
     if (m_panel->hasRemarks())
         m_bench.docks.of("importDock").raise();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/file_preview.h"
+#include "core/session/added_start.h"
 #include "core/session/filled_model.h"
 #include "ui/frame/workbench.h"
 #include "ui/panels/place_rows.h"
@@ -50,7 +51,7 @@ public:
     /// Once what is not saved may go.
     void openInstead(const QStringList& paths);
     void askForFile(bool withChoices);
-    /// Opens files together with those that are open, once what is not saved may go.
+    /// Puts the parts of files beside those that are open, in the background: the next entry of the history.
     void addParts(const QStringList& paths);
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
@@ -62,12 +63,16 @@ public:
 
 signals:
     void placeWanted(const knead::ReportPlace& place); ///< of a row of the report
+    /// Parts that were kneaded were made parts of the shape that they have, for others to come beside them.
+    void shapesTaken(const knead::ExportReport& report);
 
 private:
     ImportChoices usualChoices(const QStringList& paths) const;
     void open(const ImportChoices& request, const Material& material, std::function<void()> then);
     void askForParts();
     void askForChoices(std::vector<FilePreview> previews);
+    void startAdding(const QStringList& paths);
+    void showAdded(PreparedAddition addition, const QStringList& paths);
     void startRefill(double spacing);
     void refillOnceMore(double spacing);
     void showRefilled(PreparedModel prepared);

@@ -81,7 +81,7 @@ void ImportPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange && m_content)
-        show(FilledModel(*m_content));
+        show(FilledModel(*m_content), m_isAsRead);
 }
 
 void ImportPanel::clear()
@@ -93,9 +93,10 @@ void ImportPanel::clear()
     setEnabled(false);
 }
 
-void ImportPanel::show(const FilledModel& content)
+void ImportPanel::show(const FilledModel& content, bool isAsRead)
 {
     m_content = content;
+    m_isAsRead = isAsRead;
     setEnabled(true);
     const Model& model = *content.model;
     const std::size_t parts = model.parts.size();
@@ -111,12 +112,12 @@ void ImportPanel::show(const FilledModel& content)
     const bool wasRepaired =
         std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) { return !part.repairs.empty(); });
     m_heal->setText(m_isHealed ? tr("Take without repairs") : tr("Repair"));
-    m_heal->setVisible(wasRepaired || !m_isHealed);
+    m_heal->setVisible(isAsRead && (wasRepaired || !m_isHealed));
     const bool isOpen = std::any_of(content.surfaces.begin(), content.surfaces.end(), [&](const auto& surface) {
         return !model.parts[surface->body->part].canBeFilled();
     });
-    m_fill->setVisible(isOpen && !content.request.fillsOpenParts);
-    m_unit->setEnabled(content.request.paths.size() == 1); // other files have units of their own
+    m_fill->setVisible(isAsRead && isOpen && !content.request.fillsOpenParts);
+    m_unit->setEnabled(isAsRead && content.request.paths.size() == 1); // other files have units of their own
     listRemarks(content);
 }
 

@@ -19,7 +19,8 @@ class ImportPanel final : public QWidget {
 public:
     explicit ImportPanel(QWidget* parent = nullptr);
 
-    void show(const FilledModel& content);
+    /// @param isAsRead parts are those of the files; else reading them again would lose what has become of them since
+    void show(const FilledModel& content, bool isAsRead);
     void clear(); ///< nothing is open
     /// Whether there is more to say than that all went well.
     bool hasRemarks() const { return m_hasRemarks; }
@@ -44,6 +45,7 @@ private:
     std::optional<FilledModel> m_content; ///< that is shown
     std::vector<ReportPlace> m_places;    ///< of the links, by their numbers
     bool m_hasRemarks = false;
+    bool m_isAsRead = true;
     bool m_isHealed = true;
 };
 

@@ -74,8 +74,6 @@ public:
     /// Asks whether to save what would be lost, if anything would; waits for a saving that goes on.
     /// @param then called unless the person cancels
     void letGo(std::function<void()> then);
-    /// @param why it has to go, for the question: a sentence
-    void letGo(const QString& why, std::function<void()> then);
 
     /// Nothing is open any more, and nothing of it is to be recovered: see letGo().
     void closeProject();

@@ -228,14 +228,9 @@ WorkState ProjectKeeper::state() const
 
 void ProjectKeeper::letGo(std::function<void()> then)
 {
-    letGo({}, std::move(then));
-}
-
-void ProjectKeeper::letGo(const QString& why, std::function<void()> then)
-{
     if (!isModified()) {
         if (m_saving)
-            m_saving->then = both(std::move(m_saving->then), [this, why, then = std::move(then)] { letGo(why, then); });
+            m_saving->then = both(std::move(m_saving->then), [this, then = std::move(then)] { letGo(then); });
         else
             then();
         return;
@@ -251,9 +246,8 @@ void ProjectKeeper::letGo(const QString& why, std::function<void()> then)
     m_question->setObjectName("saveQuestion");
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     m_question->setIconPixmap(icon("save").pixmap(32, 32));
-    const QString loss =
-        m_path.isEmpty() ? tr("It has never been saved.") : tr("What was done since it was saved is lost otherwise.");
-    m_question->setInformativeText(why.isEmpty() ? loss : why + ' ' + loss);
+    m_question->setInformativeText(m_path.isEmpty() ? tr("It has never been saved.")
+                                                    : tr("What was done since it was saved is lost otherwise."));
     m_question->setDefaultButton(QMessageBox::Save);
     m_question->button(QMessageBox::Save)->setText(tr("&Save"));
     m_question->button(QMessageBox::Discard)->setText(tr("&Discard"));
