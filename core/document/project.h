@@ -29,8 +29,9 @@ struct ImportChoices {
 /// A state that steps are counted from: the model filled once, with its tools and fixtures.
 struct ProjectStart {
     Scene scene;
-    std::vector<std::size_t> partOfBody;     ///< per body of the scene: index into Model::parts
-    std::shared_ptr<const Model> model = {}; ///< whose parts these are, deformed or added since; null: those of the project
+    std::vector<std::size_t> partOfBody; ///< per body of the scene: index into Model::parts
+    std::shared_ptr<const Model> model =
+        {}; ///< whose parts these are, deformed or added since; null: those of the project
     /// What made that model of the parts of the project, one after the other; none: a recipe cannot say it, as of added parts.
     std::vector<RecipeDeformation> deformations = {};
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <string_view>
 
 namespace knead {
@@ -89,15 +88,15 @@ void takeProducts(const PartNode& from, PartNode& to)
 std::set<std::size_t> stillHidden(const std::set<std::size_t>& hidden, const Model& before, const Model& now)
 {
     std::set<std::size_t> still;
-    const auto partOfPiece = [&before](const std::string& path) -> std::optional<std::size_t> {
-        for (std::size_t part = 0; part < before.parts.size(); ++part)
-            if (path.starts_with(before.parts[part].path + '/'))
-                return part;
-        return std::nullopt;
-    };
     for (std::size_t p = 0; p < now.parts.size(); ++p) {
-        const auto part = p < before.parts.size() ? std::optional(p) : partOfPiece(now.parts[p].path);
-        if (part ? hidden.contains(*part) : !now.parts[p].visible)
+        bool isPiece = false;
+        bool isOfHidden = false; // several may have the same path
+        for (std::size_t part = 0; p >= before.parts.size() && part < before.parts.size(); ++part)
+            if (now.parts[p].path.starts_with(before.parts[part].path + '/')) {
+                isPiece = true;
+                isOfHidden = isOfHidden || hidden.contains(part);
+            }
+        if (p < before.parts.size() ? hidden.contains(p) : isPiece ? isOfHidden : !now.parts[p].visible)
             still.insert(p);
     }
     return still;

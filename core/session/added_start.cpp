@@ -5,6 +5,7 @@
 #include "core/session/deformed_faces.h"
 #include "core/session/room_for_parts.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -32,7 +33,7 @@ public:
     {
         TaskPortion first(control, 0, 0.5);
         Model added = import({path}, options, first);
-        options.shift = m_room.wayFor(added);
+        options.shift = m_room.wayFor(added, first);
         if (!options.shift.isZero(0)) {
             TaskPortion again(control, 0.5, 1);
             added = import({path}, options, again);
@@ -64,12 +65,14 @@ Message nothingToShow(const std::string& path)
         .with(std::filesystem::path(path).filename().string());
 }
 
-ImportOptions optionsFor(const FilledModel& before)
+/// Names of fixtures that hold nothing any more.
+std::vector<std::string> freedFixtures(const Snapshot& before, const Scene& after)
 {
-    ImportOptions options = before.request.options;
-    options.parts.clear(); // chosen for the files of then
-    options.unit.clear();
-    return options;
+    std::vector<std::string> freed;
+    for (const Fixture& fixture : before.fixtures)
+        if (std::ranges::count(after.fixtures, fixture.name, &Fixture::name) == 0)
+            freed.push_back(fixture.name);
+    return freed;
 }
 
 } // namespace
@@ -95,7 +98,9 @@ PreparedAddition prepareAddition(const FilledModel& before, const FramePointer& 
     for (std::size_t i = 0; i < request.paths.size(); ++i)
         try {
             TaskPortion portion = TaskPortion::ofItem(importing, i, request.paths.size());
-            addition.read(request.paths[i], optionsFor(before), import, portion);
+            addition.read(request.paths[i], request.options, import, portion);
+        } catch (const Cancelled&) {
+            throw;
         } catch (const std::runtime_error& error) {
             if (request.paths.size() == 1)
                 throw;
@@ -117,10 +122,12 @@ PreparedAddition prepareAddition(const FilledModel& before, const FramePointer& 
         });
     };
     PreparedModel prepared = prepareInstead(before, all, *shown->snapshot, fixturesIn, filling);
+    std::vector<std::string> freed = freedFixtures(*shown->snapshot, prepared.scene);
     return {.done = {.prepared = std::move(prepared), .report = report, .said = {}, .carried = std::move(carried)},
             .first = first,
             .moved = addition.takeMoved(),
-            .missing = std::move(missing)};
+            .missing = std::move(missing),
+            .freed = std::move(freed)};
 }
 
 } // namespace knead

@@ -10,6 +10,7 @@ namespace knead {
 /// Files whose parts come beside those that are worked on.
 struct AdditionRequest {
     std::vector<std::string> paths; ///< at least one
+    ImportOptions options;          ///< of all of them; none is moved by it
     Material material;              ///< of these parts
 };
 
@@ -19,6 +20,7 @@ struct PreparedAddition {
     std::size_t first = 0;          ///< of the new parts, which are the last ones
     std::vector<std::string> moved; ///< files whose parts had no room where they lay
     std::vector<Message> missing;   ///< what was not read, or is in doubt: sentences for the person
+    std::vector<std::string> freed; ///< fixtures of objects whose part was kneaded: it has others now
 };
 
 /// Adds the parts of files to a content, as the next start of the work. Parts that were kneaded begin from the shape that a frame shows,

@@ -1755,6 +1755,10 @@
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
     </message>
+    <message>
+        <source>Add %1 and others</source>
+        <translation>%1 und andere hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -4605,6 +4609,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Put beside other things or on the floor, where there is room: %1.</source>
         <translation>Neben anderes oder auf den Boden gelegt, wo Platz ist: %1.</translation>
+    </message>
+    <message>
+        <source>What these fixtures held was kneaded and has other objects now; they are gone: %1.</source>
+        <translation>Was diese Einspannungen hielten, wurde geknetet und hat jetzt andere Objekte; sie sind weg: %1.</translation>
     </message>
 </context>
 <context>

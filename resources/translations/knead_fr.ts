@@ -1755,6 +1755,10 @@
         <source>Add %1</source>
         <translation>Ajouter %1</translation>
     </message>
+    <message>
+        <source>Add %1 and others</source>
+        <translation>Ajouter %1 et d&apos;autres</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -4605,6 +4609,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Put beside other things or on the floor, where there is room: %1.</source>
         <translation>Placé à côté d&apos;autre chose ou sur le sol, là où il y a de la place : %1.</translation>
+    </message>
+    <message>
+        <source>What these fixtures held was kneaded and has other objects now; they are gone: %1.</source>
+        <translation>Ce que ces fixations tenaient a été pétri et a maintenant d&apos;autres objets ; elles ont disparu : %1.</translation>
     </message>
 </context>
 <context>

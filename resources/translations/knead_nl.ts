@@ -1755,6 +1755,10 @@
         <source>Add %1</source>
         <translation>%1 toevoegen</translation>
     </message>
+    <message>
+        <source>Add %1 and others</source>
+        <translation>%1 en andere toevoegen</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -4605,6 +4609,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Put beside other things or on the floor, where there is room: %1.</source>
         <translation>Naast iets anders of op de vloer gelegd, waar plaats is: %1.</translation>
+    </message>
+    <message>
+        <source>What these fixtures held was kneaded and has other objects now; they are gone: %1.</source>
+        <translation>Wat deze inklemmingen vasthielden is gekneed en heeft nu andere objecten; ze zijn weg: %1.</translation>
     </message>
 </context>
 <context>

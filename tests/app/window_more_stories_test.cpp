@@ -203,6 +203,8 @@ private slots:
         waitForView();
         comeBack();
         stage("added");
+        click({lump.center().x(), lump.min().y(), lump.center().z()}); // the new one is selected
+        QTRY_COMPARE(document().selection(), (Selection{Selection::Kind::Body, 0}));
         choose("materialPreset", "Mod", "Modeling clay");
         QTRY_VERIFY(snapshot().materials[0].yieldStress > 0);
         stage("clay");

@@ -2,6 +2,7 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/message/message.h"
+#include "core/session/room_for_parts.h"
 #include "support/material_scenes.h"
 
 #include <QtTest>
@@ -51,9 +52,10 @@ WrittenModel writeNothing(const ExportJob& /*job*/, TaskControl& /*control*/)
 }
 
 /// Pressed by a quarter from above.
-FramePointer pressed(const PreparedModel& prepared)
+FramePointer pressed(const PreparedModel& prepared, std::vector<Fixture> fixtures = {})
 {
     Scene scene = prepared.scene;
+    scene.fixtures = std::move(fixtures);
     Manipulator plate{.name = "plate", .size = {2 * side, 2 * side, side / 4}};
     plate.kind = ToolKind::plate;
     const auto at = [](double down) { return Pose{Vec3(0, 0, side / 2 + side / 8 - down), Quaternion::Identity()}; };
@@ -83,7 +85,7 @@ class AddedStartTest : public QObject {
     PreparedAddition added(const FramePointer& shown, const std::vector<Vec3>& places,
                            const std::vector<FaceFixture>& fixtures = {})
     {
-        AdditionRequest request{.paths = {}, .material = {}};
+        AdditionRequest request{.paths = {}, .options = {}, .material = {}};
         request.material.density = 2345;
         for (std::size_t i = 0; i < places.size(); ++i)
             request.paths.push_back("brick" + std::to_string(i) + ".step");
@@ -224,7 +226,40 @@ private slots:
             QVERIFY(prepared.content.bodies[0]->aggregate->lattice.position(object).z() < low + side / 4);
     }
 
-    /// Those of a part that is as it was.
+    /// Thinner than parts may reach into each other. A tray has hardly any material in the middle of its box.
+    void thinPartsHaveRoomOfTheirOwn()
+    {
+        for (const TriangleMesh& mesh :
+             {shapes::box({side, side, 0.03 * side}),
+              shapes::hollowBox({6 * side, 5 * side, 4 * side}, {5.95 * side, 4.95 * side, 3.95 * side})}) {
+            Model model = modelOf("thin.step", Vec3::Zero());
+            model.parts[0].mesh = mesh;
+            RoomForParts room({}, side / 24);
+            room.add(model);
+            QVERIFY(!room.wayFor(model).isZero(0));
+            Model above = model;
+            for (Vec3& vertex : above.parts[0].mesh.vertices)
+                vertex.z() += boxOfPlaces(mesh.vertices).sizes().z(); // upon it
+            QVERIFY(room.wayFor(above).isZero(0));
+        }
+    }
+
+    void itCanBeCancelled()
+    {
+        struct Stop final : TaskControl {
+            void report(double /*fraction*/, std::string_view /*stage*/) override {}
+            bool isCancelled() const override { return true; }
+        } stop;
+        const auto import = [](const std::vector<std::string>&, const ImportOptions&, TaskControl& control) {
+            control.throwIfCancelled();
+            return Model();
+        };
+        const AdditionRequest request{.paths = {"a", "b"}, .options = {}, .material = {}};
+        QVERIFY_EXCEPTION_THROWN(
+            prepareAddition(m_before.content, m_before.frame, {}, request, import, writeNothing, stop), Cancelled);
+    }
+
+    /// Those of a part that is as it was; others are named.
     void fixturesOfObjectsAreKept()
     {
         Scene scene = m_before.scene;
@@ -235,6 +270,11 @@ private slots:
         QCOMPARE(kept[0].name, std::string("Held"));
         QCOMPARE(kept[0].body, BodyId{0});
         QCOMPARE(kept[0].objects, (std::vector<ObjectIndex>{3, 5, 8}));
+        QVERIFY(addition.freed.empty());
+        const FramePointer shown = pressed(m_before, {{"Held", 0, {3, 5, 8}}});
+        const PreparedAddition other = added(shown, {Vec3(0, 3 * side, 0)});
+        QVERIFY(other.done.prepared.scene.fixtures.empty());
+        QCOMPARE(other.freed, std::vector<std::string>{"Held"});
     }
 
     void placesOfNewPartsComeOfNone()

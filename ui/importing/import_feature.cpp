@@ -25,7 +25,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace knead {
@@ -33,14 +32,6 @@ namespace knead {
 namespace {
 
 constexpr qint64 largeFile = 4'000'000; // [bytes]; reading takes seconds, so that a person should choose first
-
-/// "a.step", or "a.step and 2 more".
-QString namesOf(const QStringList& paths)
-{
-    const QString first = QFileInfo(paths.front()).fileName();
-    const auto others = static_cast<int>(paths.size()) - 1;
-    return others == 0 ? first : ImportFeature::tr("%1 and %n more", nullptr, others).arg(first);
-}
 
 } // namespace
 
@@ -172,86 +163,6 @@ void ImportFeature::askForFile(bool withChoices)
     askForFilesToRead(m_bench.window, question, [this, withChoices](const QStringList& paths) {
         m_projects.keeper().letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
     });
-}
-
-void ImportFeature::askForParts()
-{
-    const FileQuestion question{.name = "addPartDialog",
-                                .title = tr("Add parts"),
-                                .filters = QStringList(tr("Parts (%1)").arg(patternsToRead())) + filtersToRead(),
-                                .key = "folder"};
-    askForFilesToRead(m_bench.window, question, [this](const QStringList& paths) { addParts(paths); });
-}
-
-void ImportFeature::addParts(const QStringList& paths)
-{
-    if (m_bench.document.isEmpty() || paths.empty() || m_bench.isBusy())
-        return;
-    m_bench.notices.hide();
-    m_bench.document.pause();
-    m_bench.document.whenSettled([this, paths] {
-        if (!m_bench.document.isEmpty() && !m_bench.isBusy())
-            startAdding(paths);
-    });
-}
-
-void ImportFeature::startAdding(const QStringList& paths)
-{
-    constexpr int untilNextLook = 20; // [ms]
-    if (m_bench.document.isEmpty() || m_bench.isBusy())
-        return;
-    if (!m_bench.document.showsEdits()) { // a frame of what was done last is on its way
-        QTimer::singleShot(untilNextLook, this, [this, paths] { startAdding(paths); });
-        return;
-    }
-    AdditionRequest request{.paths = {}, .material = startMaterial(m_bench.services.materials)};
-    for (const QString& path : paths)
-        request.paths.push_back(QFile::encodeName(path).toStdString());
-    const auto work = [before = m_bench.document.content(), shown = m_bench.document.frame(),
-                       fixtures = m_bench.document.fixtures().list(), request, import = m_bench.services.import,
-                       writeAndRead = m_bench.services.writeAndRead](TaskControl& control) {
-        return prepareAddition(before, shown, fixtures, request, import, writeAndRead, control);
-    };
-    const auto finish = [this, paths, edits = m_bench.document.edits()](PreparedAddition addition) {
-        if (m_bench.document.isEmpty())
-            return;
-        if (m_bench.document.edits() == edits && !m_bench.document.isGoing())
-            showAdded(std::move(addition), paths);
-        else
-            m_bench.notices.problem(
-                tr("Something else was done while parts were read, so none were added. Add them again."),
-                tr("Add again"), [this, paths] { addParts(paths); });
-    };
-    m_bench.tasks.run<PreparedAddition>(tr("Adding %1").arg(namesOf(paths)), work, finish);
-}
-
-void ImportFeature::showAdded(PreparedAddition addition, const QStringList& paths)
-{
-    const FilledModel before = m_bench.document.content();
-    const std::vector<std::size_t> origin = addition.done.carried.origin;
-    const ExportReport report = std::move(addition.done.report);
-    m_bench.document.deform(std::move(addition.done), Message("Document", "Add %1").with(namesOf(paths).toStdString()));
-    for (const QString& path : std::views::reverse(paths)) // the first one is the first of the list
-        m_projects.addRecent(path);
-    const FilledModel& content = m_bench.document.content();
-    const auto body = std::ranges::find(content.bodies, addition.first, &FilledBody::part);
-    if (body != content.bodies.end())
-        m_bench.document.select({Selection::Kind::Body, static_cast<BodyId>(body - content.bodies.begin())});
-    if (!addition.moved.empty()) {
-        QStringList moved;
-        for (const std::string& path : addition.moved)
-            moved << QFile::decodeName(path.c_str());
-        m_bench.notices.remark(
-            tr("Put beside other things or on the floor, where there is room: %1.").arg(namesOf(moved)));
-    }
-    for (const auto& [part, why] : content.unfilled)
-        if (origin[part] == PartsInstead::none || !before.unfilled.contains(origin[part]))
-            m_bench.notices.problem(said(Message("ImportFeature", "\"%1\" is not simulated: %2")
-                                             .with(m_bench.document.nameOfPart(part).toStdString(), why)));
-    for (const Message& missing : addition.missing)
-        m_bench.notices.problem(said(missing));
-    if (!report.parts.empty())
-        emit shapesTaken(report);
 }
 
 void ImportFeature::askForChoices(std::vector<FilePreview> previews)

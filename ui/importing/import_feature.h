@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,8 @@ private:
     void askForChoices(std::vector<FilePreview> previews);
     void startAdding(const QStringList& paths);
     void showAdded(PreparedAddition addition, const QStringList& paths);
+    void tellOfSurfaces(std::size_t first, const std::map<std::size_t, Message>& before,
+                        const std::vector<std::size_t>& origin);
     void startRefill(double spacing);
     void refillOnceMore(double spacing);
     void showRefilled(PreparedModel prepared);
