@@ -3,10 +3,9 @@
 #include "core/geometry/refine.h"
 #include "core/geometry/surface_distance.h"
 #include "core/geometry/surface_ray.h"
-#include "core/mechanics/rigid_surface.h"
+#include "core/mechanics/tool_shape.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace knead {
