@@ -266,9 +266,12 @@ LinkEnd ImplicitEuler::endOf(const ObjectRef& object, const PointSpread* spread)
 }
 
 /// The system at the places tried last.
-void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, double h, bool isFirst)
+void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, double h, Renewal renewal)
 {
-    m_system.update(h);
+    if (renewal != Renewal::contacts) {
+        m_system.update(h);
+        m_linearized = m_velocity;
+    }
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
         if (const RigidMotion* rigid = m_bodies[b].rigid; rigid != nullptr && !m_bodies[b].deforms)
             m_system.setRigid(m_rigidIndex[b], rigid->mass(), rigid->inertia() / (rigid->radius() * rigid->radius()));
@@ -295,7 +298,7 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
     m_system.setLinks(std::move(links));
     if (m_system.rows() == 0)
         return;
-    if (isFirst)
+    if (renewal == Renewal::all)
         m_preconditioner.updateBlocks(m_system);
     else
         m_preconditioner.updateLinks(m_system);
@@ -308,16 +311,27 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
     }
 }
 
+/// Along any axis, by anything in this step [m].
+double ImplicitEuler::goneSinceLinearized(double h) const
+{
+    double fastest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t row = 0; row < m_system.rows(); ++row)
+            fastest = std::max(fastest, std::abs(m_velocity.component(c)[row] - m_linearized.component(c)[row]));
+    return h * fastest;
+}
+
 /// Solves the system for the residual and adds what it gives to the velocities. @return iterations
 int ImplicitEuler::solve(double goal)
 {
-    constexpr int most = solverSettings.linear.mostIterations;
+    constexpr const LinearSettings& linear = solverSettings.linear;
     const LinearReport report =
         m_system.isSymmetric()
-            ? m_conjugateGradients.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, most)
-            : m_minimalResiduals.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, most);
+            ? m_conjugateGradients.solve(m_system, m_preconditioner, m_residual, m_velocity, goal,
+                                         linear.mostIterations)
+            : m_minimalResiduals.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, linear.mostIterations);
     const double decades = 0.5 * std::log10(report.start / report.end);
-    if (decades > 1) {
+    if (decades > (m_touched.empty() ? linear.ratedDecades : linear.ratedTouchingDecades)) {
         m_presentRate = report.iterations / decades;
         if (m_freshRate == 0)
             m_freshRate = m_presentRate;

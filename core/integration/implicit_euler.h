@@ -9,6 +9,7 @@
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -90,7 +91,7 @@ private:
     struct Lack;
     bool isBalancedAlready(const Contacts::Report& contacts, double h, double floor);
     void measure(Lack& lack, const std::vector<ContactTangent>& tangents, double h, bool isFirst);
-    static double goalOf(const Lack& lack);
+    double goalOf(const Lack& lack, bool flows) const;
     void account(Report& report, double h) const;
     double stickSpeed(double h) const { return solverSettings.newton.stickShare * m_spacing / h; }
     void searchLine(const VectorArray& start, const std::function<void()>& look);
@@ -115,7 +116,13 @@ private:
     {
         return m_bodies[body].pieces != nullptr ? *m_bodies[body].pieces : m_whole[body];
     }
-    void updateSystem(const std::vector<ContactTangent>& tangents, double h, bool isFirst);
+    enum class Renewal : std::uint8_t {
+        contacts, ///< and what hands do
+        springs,  ///< and these
+        all,      ///< and what the preconditioner has of single objects
+    };
+    void updateSystem(const std::vector<ContactTangent>& tangents, double h, Renewal renewal);
+    double goneSinceLinearized(double h) const;
     int solve(double goal);
     double flowedEnergy() const;
     double sizeOf(const VectorArray& momenta);
@@ -166,6 +173,7 @@ private:
     double m_startEnergy = 0;                              ///< stored at the start, less what broke since [J]
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
+    VectorArray m_linearized; ///< velocities that the springs of the system were linearized at
     VectorArray m_scratch;
     VectorArray m_momenta;            ///< that sizes are found of
     VectorArray m_way;                ///< of the line that is searched

@@ -92,7 +92,9 @@ struct ImplicitEuler::Lack {
     double first = 0; ///< the same without contacts
     double reference = 0;
     double size = 0;
-    double last = 0; ///< before the last solution; 0: there was none
+    double last = 0;       ///< before the last solution; 0: there was none
+    double enough = 0;     ///< that is small after a solution
+    bool beganFar = false; ///< with more than what acts in the step
     bool isSmall = false;
 };
 
@@ -102,24 +104,32 @@ void ImplicitEuler::measure(Lack& lack, const std::vector<ContactTangent>& tange
     const double loads = sizeOfLoads(tangents, h);
     if (isFirst) {
         lack.first = tangents.empty() ? lack.size : std::min(lack.size, sizeWithoutContacts(tangents, h));
-        lack.start = lack.reference = lack.size;
-    } else {
-        const double least = m_touched.empty() ? newton.leastFreeReference : newton.leastReference;
-        lack.reference = std::min(lack.start, std::max(least * lack.first, loads));
+        lack.start = lack.size;
     }
-    lack.isSmall = lack.size <= std::max({m_tolerance * m_tolerance * lack.reference, lack.floor,
-                                          std::pow(newton.loadShare * m_tolerance, 2) * loads});
+    const double least = m_touched.empty() ? newton.leastFreeReference : newton.leastReference;
+    const double acting = std::min(lack.start, std::max(least * lack.first, loads));
+    const auto smallBeside = [&](double reference) {
+        return std::max(
+            {m_tolerance * m_tolerance * reference, lack.floor, std::pow(newton.loadShare * m_tolerance, 2) * loads});
+    };
+    lack.reference = isFirst ? lack.start : acting;
+    lack.enough = smallBeside(acting);
+    lack.beganFar = acting < lack.start;
+    lack.isSmall = lack.size <= smallBeside(lack.reference);
 }
 
-/// To which the next linear system is solved: as well as the last one served (Eisenstat and Walker 1996). What is small but not
-/// balanced as a whole is solved for as well as single precision allows.
-double ImplicitEuler::goalOf(const Lack& lack)
+/// To which the next linear system is solved: as well as the last one served (Eisenstat and Walker 1996).
+double ImplicitEuler::goalOf(const Lack& lack, bool flows) const
 {
-    if (lack.isSmall)
-        return newton.singleTolerance * newton.singleTolerance * lack.size;
-    const double loose = lack.last > 0
-                             ? std::clamp(lack.size / lack.last, newton.singleTolerance, newton.laterTolerance)
-                             : newton.looseTolerance;
+    if (lack.isSmall) // but not balanced as a whole
+        return newton.smallTolerance * newton.smallTolerance * lack.size;
+    const auto servedBy = [&](double first, double later) {
+        return lack.last > 0 ? std::clamp(lack.size / lack.last, newton.singleTolerance, later) : first;
+    };
+    double loose = servedBy(newton.touchingTolerance, newton.laterTouchingTolerance);
+    const bool isLikelyLast = loose * loose * lack.size <= lack.enough;
+    if (m_touched.empty() || flows || !lack.beganFar || isLikelyLast)
+        loose = servedBy(newton.looseTolerance, newton.laterTolerance);
     return std::max({newton.linearTolerance * newton.linearTolerance * lack.reference, 0.25 * lack.floor,
                      loose * loose * lack.size});
 }
@@ -131,6 +141,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
     m_gravity = gravity;
     weighPieces();
     m_mixing.restart();
+    int tangentAge = newton.tangentInterval; // iterations since springs were linearized: not in this step yet
     ContactStep step{.duration = h,
                      .stickSpeed = stickSpeed(h),
                      .isTrial = true,
@@ -149,8 +160,10 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
         const bool isLast = report.newtonIterations == newton.mostIterations;
         bool isBalanced = isFirst && isBalancedAlready(report.contacts, h, lack.floor);
         if (!isBalanced) {
-            if (isFirst)
-                updateSystem(tangents, h, true);
+            if (isFirst) {
+                updateSystem(tangents, h, Renewal::all);
+                tangentAge = 0;
+            }
             measure(lack, tangents, h, isFirst);
             isBalanced = lack.isSmall && (isLast || lackOfWholes(tangents, h) <= 1);
         }
@@ -183,16 +196,20 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gra
             keepMomenta(gravity, h);
             break;
         }
-        if (!isFirst)
-            updateSystem(tangents, h, false);
-        if (lack.isSmall) // only as a whole it is not balanced: what touches has begun to slide, or to stick
-            m_preconditioner.updateClusters(m_system);
         // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
         const bool flows = !isFirst && flowedEnergy() > 0;
+        if (!isFirst) {
+            const bool renews = flows || m_touched.empty() || ++tangentAge >= newton.tangentInterval ||
+                                goneSinceLinearized(h) > newton.tangentReach * m_spacing;
+            updateSystem(tangents, h, renews ? Renewal::springs : Renewal::contacts);
+            tangentAge = renews ? 0 : tangentAge;
+        }
+        if (lack.isSmall) // only as a whole it is not balanced: what touches has begun to slide, or to stick
+            m_preconditioner.updateClusters(m_system);
         if (lack.last > 0 && lack.size > solverSettings.mixing.lost * lack.last)
             m_mixing.restart();
         m_scratch = m_velocity;
-        report.iterations += solve(goalOf(lack));
+        report.iterations += solve(goalOf(lack, flows));
         lack.last = lack.size;
         if (flows)
             m_mixing.accelerate(m_scratch, m_velocity);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -63,33 +65,23 @@ void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
     updateLinks(system);
 }
 
-/// What links add lies beside the diagonal, so that the next ones can take their place.
+/// What links add lies beside the diagonal, so that the next ones can take their place. Few rows have any, and these are gathered:
+/// those that had some, and those that have.
 void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
 {
-    const auto refresh = [&] {
-        for (const std::uint32_t row : m_linkedRows) {
-            const std::size_t slot = system.slotOf(row);
-            double sum[6];
-            const double* blocks[6];
-            float* inverse[6];
-            for (std::size_t c = 0; c < 6; ++c) {
-                sum[c] = m_diagonal[c][slot] + m_linked[c][slot];
-                blocks[c] = &sum[c];
-                inverse[c] = &m_inverse[c][slot];
-            }
-            kernels::best().invertBlocks(1, blocks, inverse);
-        }
-    };
-    for (const std::uint32_t row : m_linkedRows)
+    m_isLinked.resize(system.rows(), 0);
+    std::vector<std::uint32_t> changed = std::exchange(m_linkedRows, {});
+    for (const std::uint32_t row : changed) {
+        m_isLinked[row] = 0;
         for (std::size_t c = 0; c < 6; ++c)
             m_linked[c][system.slotOf(row)] = 0;
-    refresh();
-    m_linkedRows.clear();
+    }
     const auto add = [&](std::uint32_t row, const Mat3& matrix) {
         if (system.isHeld(row))
             return;
         addBlock(m_linked, system.slotOf(row), matrix);
-        m_linkedRows.push_back(row);
+        if (std::exchange(m_isLinked[row], std::uint8_t{1}) == 0)
+            m_linkedRows.push_back(row);
     };
     for (const Link& link : system.links())
         for (const LinkEnd& end : {link.first, link.second}) {
@@ -103,9 +95,25 @@ void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
             const Mat3 cross = crossMatrix(end.arm);
             add(end.row + 1, cross * link.matrix * cross.transpose());
         }
-    std::ranges::sort(m_linkedRows);
-    m_linkedRows.erase(std::unique(m_linkedRows.begin(), m_linkedRows.end()), m_linkedRows.end());
-    refresh();
+    std::erase_if(changed, [&](std::uint32_t row) { return m_isLinked[row] != 0; });
+    changed.insert(changed.end(), m_linkedRows.begin(), m_linkedRows.end());
+
+    std::array<std::vector<double>, 6> sums;
+    std::array<std::vector<float>, 6> inverses;
+    const double* blocks[6];
+    float* inverse[6];
+    for (std::size_t c = 0; c < 6; ++c) {
+        sums[c].reserve(changed.size());
+        for (const std::uint32_t row : changed)
+            sums[c].push_back(m_diagonal[c][system.slotOf(row)] + m_linked[c][system.slotOf(row)]);
+        inverses[c].resize(changed.size());
+        blocks[c] = sums[c].data();
+        inverse[c] = inverses[c].data();
+    }
+    kernels::best().invertBlocks(changed.size(), blocks, inverse);
+    for (std::size_t c = 0; c < 6; ++c)
+        for (std::size_t n = 0; n < changed.size(); ++n)
+            m_inverse[c][system.slotOf(changed[n])] = inverses[c][n];
 }
 
 void RigidModePreconditioner::invert(const std::array<LaneVector<double>, 6>& diagonal, std::size_t begin,

@@ -65,6 +65,7 @@ private:
     std::array<LaneVector<double>, 6> m_diagonal; ///< blocks by slots, without links: xx yy zz xy xz yz
     std::array<LaneVector<double>, 6> m_linked;   ///< what links add
     std::vector<std::uint32_t> m_linkedRows;      ///< where they do
+    std::vector<std::uint8_t> m_isLinked;         ///< per row: whether it is one of these
     std::array<LaneVector<float>, 6> m_inverse;   ///< both together, inverted; 0 for held objects
     std::vector<std::uint32_t> m_clusterOf;       ///< per row; none for held objects
     std::vector<RigidModeLevels::Cluster> m_clusters;

@@ -66,11 +66,23 @@ struct NewtonSettings {
     int mostIterations = 12;
     /// Linear systems are solved to a share of it that is the same for all: friction is fitted to what they give.
     double linearTolerance = 5e-3;
-    /// One only so far, by what is there, as the last one served: where contacts open and close, and slides turn, it
-    /// leads to others anyway. The first, and the least of later ones.
+    /// One only so far, by what is there, as the last one served. The first, and the least of later ones. What turns freely gains
+    /// energy from what is left out.
     double looseTolerance = 0.1;
     double laterTolerance = 0.03;
+    /// The same where something touches and the step begins far from balance: contacts open and close, and slides turn, so that it leads to others anyway. Solved further,
+    /// they cost half as many iterations more, and there are as many of them. Not those that are likely the last of a step, which make its
+    /// accuracy, and not the later ones where material flows: its tangent is what is wrong there, and mixing makes of well solved
+    /// systems what would be right.
+    double touchingTolerance = 0.3;
+    double laterTouchingTolerance = 0.12;
     double singleTolerance = 1e-3; ///< no solution goes further in single precision
+    /// To which what is small already is solved, where pieces as a whole lack more than they may.
+    double smallTolerance = 1e-2;
+    /// Where something touches, springs that do not flow are linearized anew in every so-manieth iteration only, as contacts change
+    /// more from one to the next; and where something has gone further since than this [spacings], as what turns does.
+    int tangentInterval = 3;
+    double tangentReach = 0.1;
     /// Of the tolerance: share of what acts in the step at which it is done as well. What is near balance as it is
     /// costs no solution.
     double loadShare = 0.1;
@@ -135,6 +147,9 @@ struct LinearSettings {
     // new.
     double staleFactor = 1.5;
     double staleMore = 3;
+    // Solutions that go no further than this tell nothing of that [decades].
+    double ratedDecades = 1;
+    double ratedTouchingDecades = 0.75;
 
     /// Weight of what clusters do: regions that are rigid are stiffer than the material. At 2, bars take .5
     /// (Poisson's ratio .49) to 1 times the iterations of 1; from 1.5 to 3 it makes little difference.

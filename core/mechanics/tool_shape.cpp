@@ -30,16 +30,13 @@ SurfacePoint prism(const PlanePoint& across, double beyond, double end, const st
         normal[axes[2]] = w;
         return normal;
     };
-    if (across.distance <= 0 && beyond <= 0) {
-        if (across.distance >= beyond)
-            return {across.distance, place(across.normal.x(), across.normal.y(), 0)};
+    if (beyond <= 0 && across.distance >= beyond)
+        return {across.distance, place(across.normal.x(), across.normal.y(), 0)};
+    if (across.distance <= 0)
         return {beyond, place(0, 0, end)};
-    }
-    const double sideways = std::max(across.distance, 0.0);
-    const double along = std::max(beyond, 0.0);
-    const double distance = std::hypot(sideways, along);
-    return {distance, place(sideways / distance * across.normal.x(), sideways / distance * across.normal.y(),
-                            along / distance * end)};
+    const double distance = std::sqrt(across.distance * across.distance + beyond * beyond);
+    const double sideways = across.distance / distance;
+    return {distance, place(sideways * across.normal.x(), sideways * across.normal.y(), beyond / distance * end)};
 }
 
 PlanePoint circle(double radius, const Vec2& point)
@@ -48,29 +45,28 @@ PlanePoint circle(double radius, const Vec2& point)
     return {length - radius, length > 0 ? Vec2(point / length) : Vec2::UnitX()};
 }
 
-/// A triangle with its tip down: corners (0, -h), (b, h), (-b, h).
+/// A triangle with its tip down: corners (0, -h), (b, h), (-b, h). One half of it, mirrored.
 PlanePoint triangle(double halfBack, double halfHeight, const Vec2& point)
 {
-    const std::array<Vec2, 3> corners{Vec2(0, -halfHeight), Vec2(halfBack, halfHeight), Vec2(-halfBack, halfHeight)};
-    PlanePoint inside{-std::numeric_limits<double>::infinity(), Vec2::UnitY()};
-    double outside = std::numeric_limits<double>::infinity();
-    Vec2 nearest = Vec2::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec2& start = corners[i];
-        const Vec2 edge = corners[(i + 1) % 3] - start;
-        const Vec2 normal = Vec2(edge.y(), -edge.x()).normalized();
-        if (const double distance = (point - start).dot(normal); distance > inside.distance)
-            inside = {distance, normal};
-        const double part = std::clamp((point - start).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-        const Vec2 place = start + part * edge;
-        if (const double distance = (point - place).norm(); distance < outside) {
-            outside = distance;
-            nearest = place;
-        }
-    }
-    if (inside.distance <= 0 || outside == 0)
-        return inside;
-    return {outside, (point - nearest) / outside};
+    const double side = point.x() < 0 ? -1 : 1;
+    const Vec2 own(std::abs(point.x()), point.y());
+    const Vec2 tip(0, -halfHeight);
+    const Vec2 edge(halfBack, 2 * halfHeight); // from the tip to the back
+    const double length = edge.norm();
+    const Vec2 outward(edge.y() / length, -edge.x() / length);
+    const double beyond = (own - tip).dot(outward);
+    const double behind = own.y() - halfHeight;
+    if (beyond <= 0 && behind <= 0)
+        return beyond > behind ? PlanePoint{beyond, {side * outward.x(), outward.y()}}
+                               : PlanePoint{behind, Vec2::UnitY()};
+    const double part = std::clamp((own - tip).dot(edge) / (length * length), 0.0, 1.0);
+    const Vec2 fromEdge = own - (tip + part * edge);
+    const Vec2 fromBack(std::max(own.x() - halfBack, 0.0), behind);
+    const Vec2& from = fromBack.squaredNorm() < fromEdge.squaredNorm() ? fromBack : fromEdge;
+    const double distance = from.norm();
+    if (distance == 0) // rounding leads onto it
+        return {0, {side * outward.x(), outward.y()}};
+    return {distance, {side * from.x() / distance, from.y() / distance}};
 }
 
 SurfacePoint ball(double radius, const Vec3& point)

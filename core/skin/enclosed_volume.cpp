@@ -82,9 +82,9 @@ std::unique_ptr<const EnclosedVolume> EnclosedVolume::of(const TriangleMesh& sur
 {
     if (aggregate.former && aggregate.former->isInPieces())
         return nullptr;
-    const TriangleMesh whole = surfaceWhenFilled(surface, aggregate);
     for (double share = longestEdge; share >= shortestEdge; share /= 2) {
         const double edge = share * aggregate.lattice.spacing;
+        const TriangleMesh whole = surfaceWhenFilled(surface, aggregate, share);
         TriangleMesh coarse = refine(clustered(whole, edge), edge);
         if (coarse.empty() || !isClosed(coarse))
             return nullptr;

@@ -6,7 +6,6 @@
 #include "core/mechanics/point_spread.h"
 #include "core/skin/opened_pieces.h"
 #include "core/skin/skin.h"
-#include "core/skin/surface_fit.h"
 #include "core/task/parallel.h"
 #include "core/vicinity/point_grid.h"
 
@@ -155,9 +154,11 @@ private:
         m_fitted = m_former ? m_former->displacements() : std::vector<Vec3>(m_carriers->size(), Vec3::Zero());
         std::vector<Vec3> places(m_carriers->size());
         m_fit->carriers.evaluate(m_fitted, places);
-        const Skin presentSkin = Skin::ofPlacesWhenFilled(m_present, places);
         std::vector<Vec3> wanted(places.size());
-        presentSkin.evaluate(m_displacements, wanted);
+        if (m_former)
+            Skin::ofPlacesWhenFilled(m_present, places).evaluate(m_displacements, wanted);
+        else // they are the present objects, where these were filled
+            m_fit->carriers.evaluate(m_displacements, wanted);
         for (int n = 0; n <= corrections; ++n) {
             if (n > 0)
                 m_fit->carriers.evaluate(m_fitted, places);
@@ -209,11 +210,11 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
     return found;
 }
 
-TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate)
+TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate, double longestEdge)
 {
     if (!aggregate.former)
         return surface;
-    const double edge = refilledEdge * aggregate.lattice.spacing;
+    const double edge = longestEdge * aggregate.lattice.spacing;
     const std::size_t most = mostRefilledTriangles(aggregate);
     const FormerShape& former = *aggregate.former;
     if (!former.isInPieces())

@@ -2,6 +2,7 @@
 
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"
+#include "core/skin/surface_fit.h"
 #include "core/task/task_control.h"
 
 #include <functional>
@@ -52,6 +53,8 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
 
 /// The surface of an opened part as an aggregate was filled from it: split and carried, or as it is. That of a body that was in pieces
 /// is the surfaces of all of these.
-TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate);
+/// @param longestEdge as far as what was carried is split [spacings]
+TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate,
+                               double longestEdge = refilledEdge);
 
 } // namespace knead

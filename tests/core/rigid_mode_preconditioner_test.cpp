@@ -240,6 +240,42 @@ private slots:
         }
     }
 
+    /// In each iteration contacts change, and nothing else of the system.
+    void linksTakeThePlaceOfThoseBefore()
+    {
+        Bar bar({9, 4, 4}, rubber(0.3));
+        const auto linksFrom = [&](std::size_t first, double stiffness) {
+            std::vector<Link> links;
+            for (std::size_t i = first; i < bar.state.size(); i += 3)
+                links.push_back({.first = {static_cast<std::uint32_t>(i)},
+                                 .second = {static_cast<std::uint32_t>((i + 5) % bar.state.size())},
+                                 .matrix = stiffness * Mat3(Vec3(1, 2, 3).asDiagonal())});
+            return links;
+        };
+        bar.system.setLinks(linksFrom(0, 1e-3));
+        bar.preconditioner.updateBlocks(bar.system);
+        const double withFirst = bar.preconditioner.sizeOf(bar.system, bar.loads);
+        bar.system.setLinks(linksFrom(1, 2e-3)); // some rows have links still, some have none any more, some are new
+        bar.preconditioner.updateLinks(bar.system);
+        RigidModePreconditioner fresh;
+        fresh.updateBlocks(bar.system);
+        fresh.updateClusters(bar.system);
+        bar.preconditioner.updateClusters(bar.system);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> component(-1, 1);
+        VectorArray momenta(bar.system.rows());
+        for (std::size_t i = 0; i < momenta.size(); ++i)
+            momenta.set(i, {component(random), component(random), component(random)});
+        QCOMPARE(bar.preconditioner.sizeOf(bar.system, momenta), fresh.sizeOf(bar.system, momenta));
+        QVERIFY(bar.preconditioner.sizeOf(bar.system, bar.loads) != withFirst);
+        bar.system.setLinks({});
+        bar.preconditioner.updateLinks(bar.system);
+        fresh.updateBlocks(bar.system);
+        fresh.updateClusters(bar.system);
+        bar.preconditioner.updateClusters(bar.system);
+        QCOMPARE(bar.preconditioner.sizeOf(bar.system, momenta), fresh.sizeOf(bar.system, momenta));
+    }
+
     void minimalResidualsTakeNoMoreIterationsThanConjugateGradients()
     {
         for (const double poisson : {0.25, 0.45}) {

@@ -46,7 +46,9 @@ private slots:
         QVERIFY(properties.box.center().norm() < 1e-9);
         const SurfaceDistance drawn(mesh);
         // Round forms are drawn with 64 sides, which lie inside by up to twice r (1 - cos(pi / 64)).
-        const double flat = 0.5 * shape.size.maxCoeff() * (1 - std::cos(std::numbers::pi / 64)) * 2.5 + 1e-12;
+        const bool isRound = shape.kind == ToolKind::ball || shape.kind == ToolKind::cylinder;
+        const double flat =
+            (isRound ? 0.5 * shape.size.maxCoeff() * (1 - std::cos(std::numbers::pi / 64)) * 2.5 : 0) + 1e-12;
         std::mt19937 random(3);
         std::uniform_real_distribution<double> coordinate(-0.04, 0.04);
         for (int i = 0; i < 2000; ++i) {
