@@ -127,8 +127,9 @@ double ImplicitEuler::goalOf(const Lack& lack, bool flows) const
         return lack.last > 0 ? std::clamp(lack.size / lack.last, newton.singleTolerance, later) : first;
     };
     double loose = servedBy(newton.touchingTolerance, newton.laterTouchingTolerance);
+    // Tools shall come to where hands are, which is finer than what contacts need.
     const bool isLikelyLast = loose * loose * lack.size <= lack.enough;
-    if (m_touched.empty() || flows || !lack.beganFar || isLikelyLast)
+    if (m_touched.empty() || !m_hands.empty() || flows || !lack.beganFar || isLikelyLast)
         loose = servedBy(newton.looseTolerance, newton.laterTolerance);
     return std::max({newton.linearTolerance * newton.linearTolerance * lack.reference, 0.25 * lack.floor,
                      loose * loose * lack.size});

@@ -194,7 +194,7 @@ private slots:
     {
         const Scene scene = smearing();
         Simulation simulation(scene);
-        for (const double x : {-0.018, 0.018})
+        for (const double x : {-0.018, 0.015})
             drive(simulation, Vec3(x, 0, rodHeight - 0.005));
         const auto shot = simulation.snapshot();
         QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
